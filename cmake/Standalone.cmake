@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# ViSP's module macros for a build against an installed ViSP, so that the modules' CMake files serve both builds.
+
+add_library(installed_visp INTERFACE)
+target_compile_features(installed_visp INTERFACE cxx_std_17)
+target_include_directories(installed_visp SYSTEM INTERFACE "$<BUILD_INTERFACE:${VISP_INCLUDE_DIRS}>")
+
+macro(vp_add_module module)
+  set(the_module visp_${module})
+  set(deps "")
+  set(private "")
+  set(kind REQUIRED)
+  foreach(d ${ARGN})
+    if(d MATCHES "^(PRIVATE_)?(REQUIRED|OPTIONAL)$")
+      set(kind ${d})
+    elseif(kind MATCHES "^PRIVATE_")
+      list(APPEND private ${d})
+    elseif(TARGET ${d})
+      list(APPEND deps ${d})
+    elseif(kind STREQUAL "REQUIRED")
+      message(STATUS "${the_module} is left out: ${d} was not found")
+      return()
+    endif()
+  endforeach()
+endmacro()
+
+macro(vp_set_module_sources)
+  cmake_parse_arguments(sources "" "" "HEADERS;SOURCES" ${ARGN})
+endmacro()
+
+macro(vp_module_include_directories)
+  set(extra_includes ${ARGN})
+endmacro()
+
+macro(vp_create_module)
+  add_library(${the_module} ${sources_SOURCES} ${sources_HEADERS})
+  target_include_directories(${the_module} PRIVATE src PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_include_directories(${the_module} SYSTEM PUBLIC "$<BUILD_INTERFACE:${extra_includes}>")
+  target_link_libraries(${the_module} PUBLIC installed_visp ${deps} PRIVATE ${private} $<BUILD_INTERFACE:multicue_warnings>)
+  target_compile_definitions(${the_module} PRIVATE visp_EXPORTS)
+endmacro()
+
+# Every catch*.cpp under test/ is an executable and a test.
+macro(vp_add_tests)
+  if(BUILD_TESTING)
+    file(GLOB test_files CONFIGURE_DEPENDS test/catch*.cpp)
+    foreach(file ${test_files})
+      get_filename_component(name ${file} NAME_WE)
+      add_executable(${name} ${file})
+      target_link_libraries(${name} PRIVATE ${the_module} multicue_warnings)
+      add_test(NAME ${name} COMMAND ${name})
+    endforeach()
+  endif()
+endmacro()

@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# An interface target with the warnings that our own code is kept free of.
+add_library(multicue_warnings INTERFACE)
+target_compile_options(multicue_warnings INTERFACE
+  $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wpedantic -Wconversion>)

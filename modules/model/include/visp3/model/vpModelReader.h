@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpModelReader_h
+#define vpModelReader_h
+
+#include <visp3/core/vpHomogeneousMatrix.h>
+#include <visp3/model/vpTrackedModelBuilder.h>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  \ingroup group_model_geometry
+  Reads meshes (.obj, .ply, .stl, .dae, .gltf, .glb) through assimp. ViSP's own .cao and .wrl files are read by the
+  tracker.
+*/
+class VISP_EXPORT vpModelReader
+{
+public:
+  //! True for the file name extensions listed above, in any case.
+  static bool isMesh(const std::string &file);
+
+  /*!
+    \param file Path of the mesh; texture images are looked for beside it.
+    \param options Unit, crease angle, limits of size.
+    \param oMm Pose of the mesh's frame in the object frame (metres), as the argument T of vpMbTracker::loadModel().
+    \throw vpException naming the file where it is missing, broken, empty, has no triangles, or an unbelievable size.
+  */
+  static vpTrackedModel read(const std::string &file, const vpModelOptions &options = vpModelOptions(),
+                             const vpHomogeneousMatrix &oMm = vpHomogeneousMatrix());
+};
+
+END_VISP_NAMESPACE
+#endif
