@@ -174,6 +174,7 @@ void vpContourSampler::sampleRun(std::size_t first, std::size_t last, double tot
         vpContour contour;
         contour.first = static_cast<int>(m_view.m_points.size());
         contour.straight = straight;
+        contour.step = spacing;
         m_view.m_contours.push_back(contour);
       }
       open = emit(piece, (next - begin) / piece.length, next);

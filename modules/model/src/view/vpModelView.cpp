@@ -48,7 +48,7 @@ void findFacesSeen(const vpTrackedModel &model, const vpViewCamera &camera, cons
   const double disappear = std::cos(options.disappearAngle * M_PI / 180.);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const vpModelFace &face = model.faces()[i];
-    if (face.planar && face.oriented) {
+    if (face.planar && face.oriented && !options.allEdges) {
       const Eigen::Vector3d toCamera = camera.oC - face.centre;
       seen[i] = face.normal.dot(toCamera) > (seen[i] ? disappear : appear) * toCamera.norm();
     } else {

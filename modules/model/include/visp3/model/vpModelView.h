@@ -35,6 +35,7 @@ struct vpContour
   int first = 0;        //!< Index of its first control point.
   int count = 0;        //!< Number of control points.
   bool straight = true; //!< True for the image of a straight line.
+  double step = 0.;     //!< Distance of neighbouring control points along it, pixels.
 };
 
 /*! \ingroup group_model_view Level of detail of one face, as ViSP's setLod() has it. */
@@ -55,6 +56,7 @@ struct VISP_EXPORT vpModelViewOptions
   double farDistance = 0.;     //!< Nothing farther is seen, metres; 0: no limit.
   double border = 2.;          //!< Points closer to the image border are left out, pixels, >= 0.
   unsigned int visibilitySize = 192; //!< Largest side of the depth buffer that hides edges, pixels, >= 16.
+  bool allEdges = false;             //!< Edges of the faces that are turned away count as seen too.
   std::vector<vpFaceDetail> details; //!< Per face of the model; empty: every face in full detail.
 
   //! \throw vpException naming the first member out of range.
