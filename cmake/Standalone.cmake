@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # ViSP's module macros for a build against an installed ViSP, so that the modules' CMake files serve both builds.
+include(GNUInstallDirs)
 
+# ViSP's imported targets carry no include directories. Eigen is here because public headers use it.
 add_library(installed_visp INTERFACE)
 target_compile_features(installed_visp INTERFACE cxx_std_17)
 target_include_directories(installed_visp SYSTEM INTERFACE "$<BUILD_INTERFACE:${VISP_INCLUDE_DIRS}>")
+target_link_libraries(installed_visp INTERFACE Eigen3::Eigen)
+install(TARGETS installed_visp EXPORT VISPMultiCueTargets)
+
+# The libraries find each other, and a ViSP that is not in the system's folders, from where they are installed.
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
 macro(vp_add_module module)
   set(the_module visp_${module})
@@ -18,7 +26,7 @@ macro(vp_add_module module)
     elseif(TARGET ${d})
       list(APPEND deps ${d})
     elseif(kind STREQUAL "REQUIRED")
-      message(STATUS "${the_module} is left out: ${d} was not found")
+      message(NOTICE "${the_module} is left out: ${d} was not found")
       return()
     endif()
   endforeach()
@@ -34,22 +42,32 @@ endmacro()
 
 macro(vp_create_module)
   add_library(${the_module} ${sources_SOURCES} ${sources_HEADERS})
-  target_include_directories(${the_module} PRIVATE src PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
-  target_include_directories(${the_module} SYSTEM PUBLIC "$<BUILD_INTERFACE:${extra_includes}>")
-  target_link_libraries(${the_module} PUBLIC installed_visp ${deps} PRIVATE ${private} $<BUILD_INTERFACE:multicue_warnings>)
+  target_include_directories(${the_module}
+    PRIVATE src
+    PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_include_directories(${the_module} SYSTEM PRIVATE ${extra_includes})
+  target_link_libraries(${the_module}
+    PUBLIC installed_visp ${deps}
+    PRIVATE ${private} $<BUILD_INTERFACE:multicue_warnings>)
   target_compile_definitions(${the_module} PRIVATE visp_EXPORTS)
+  set_target_properties(${the_module} PROPERTIES
+    LINKER_LANGUAGE CXX # a module of headers alone has no source that would tell
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  install(TARGETS ${the_module} EXPORT VISPMultiCueTargets)
+  foreach(header ${sources_HEADERS})
+    get_filename_component(folder ${header} DIRECTORY)
+    string(REGEX REPLACE "^include" "${CMAKE_INSTALL_INCLUDEDIR}" folder ${folder})
+    install(FILES ${header} DESTINATION ${folder})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY MULTICUE_MODULES ${the_module})
+  set_property(GLOBAL APPEND PROPERTY MULTICUE_PRIVATE_LIBRARIES ${private})
 endmacro()
 
-# Every catch*.cpp under test/ is an executable and a test.
+# As in ViSP, every source file under test/ is a program and a test.
 macro(vp_add_tests)
-  if(BUILD_TESTING)
-    file(GLOB test_files CONFIGURE_DEPENDS test/catch*.cpp)
-    foreach(file ${test_files})
-      get_filename_component(name ${file} NAME_WE)
-      add_executable(${name} ${file})
-      target_link_libraries(${name} PRIVATE ${the_module} multicue_warnings)
-      add_test(NAME ${name} COMMAND ${name})
-    endforeach()
-  endif()
+  file(GLOB_RECURSE test_files CONFIGURE_DEPENDS test/*.cpp)
+  foreach(file ${test_files})
+    multicue_add_test(${file} ${the_module})
+  endforeach()
 endmacro()
