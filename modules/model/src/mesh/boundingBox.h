@@ -10,8 +10,7 @@
 #include <limits>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
+namespace vpMeshDetail {
 //! An axis-aligned box that grows; empty (lower > upper) at first.
 struct BoundingBox
 {

@@ -4,10 +4,8 @@
 #include <algorithm>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
-namespace
-{
+namespace vpMeshDetail {
+namespace {
 struct Neighbour
 {
   std::size_t face;

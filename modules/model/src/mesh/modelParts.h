@@ -5,8 +5,7 @@
 #include <visp3/model/vpTrackedModel.h>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
+namespace vpMeshDetail {
 //! A model in the making: the members of vpTrackedModel, open to the steps that fill them.
 struct ModelParts
 {
@@ -24,7 +23,20 @@ struct ModelParts
 };
 
 //! Index of the element that was added last.
-template <class Element> int lastIndex(const std::vector<Element> &list) { return static_cast<int>(list.size()) - 1; }
+template <class Element> int lastIndex(const std::vector<Element> &list)
+{
+  return static_cast<int>(list.size()) - 1;
+}
+
+//! Per face: 1 where it has a surface, 0 where it only names a line or a circle.
+inline std::vector<char> facesWithSurface(const ModelParts &parts)
+{
+  std::vector<char> surface(parts.faces.size(), 0);
+  for (const vpModelTriangle &triangle : parts.triangles) {
+    surface[static_cast<std::size_t>(triangle.face)] = 1;
+  }
+  return surface;
+}
 } // namespace vpMeshDetail
 END_VISP_NAMESPACE
 #endif

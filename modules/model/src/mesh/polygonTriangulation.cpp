@@ -7,10 +7,8 @@
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
-namespace
-{
+namespace vpMeshDetail {
+namespace {
 using Point = Eigen::Vector2d;
 
 //! Twice the signed area of a triangle, > 0 if it is counter-clockwise.
@@ -66,8 +64,8 @@ private:
   int after(std::size_t i) const { return m_ring[(i + 1) % m_ring.size()]; }
   double earArea(std::size_t i) const { return area2(at(before(i)), at(m_ring[i]), at(after(i))); }
 
-  // Flat tips come after the ears, some of which need their corner. A polygon that crosses itself may have neither: then
-  // the widest corner goes, so that the loop always ends.
+  // Flat tips come after the ears, some of which need their corner. A polygon that crosses itself may have neither:
+  // then the widest corner goes, so that the loop always ends.
   std::size_t findTip() const
   {
     std::size_t flat = m_ring.size();

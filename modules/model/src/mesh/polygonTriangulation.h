@@ -10,8 +10,7 @@
 #include <vector>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
+namespace vpMeshDetail {
 //! Newell's normal of a polygon: its length is twice the polygon's area, and it is right for non-convex ones too.
 Eigen::Vector3d newellNormal(const std::vector<Eigen::Vector3d> &corners);
 

@@ -6,10 +6,8 @@
 #include <algorithm>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
-namespace
-{
+namespace vpMeshDetail {
+namespace {
 void dropRepeatedCorners(std::vector<int> &corners)
 {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
@@ -37,7 +35,9 @@ Eigen::Vector3d mean(const std::vector<Eigen::Vector3d> &points)
 }
 } // namespace
 
-PrimitiveAssembler::PrimitiveAssembler(ModelParts &parts, VertexPool &pool) : m_parts(parts), m_pool(pool) {}
+PrimitiveAssembler::PrimitiveAssembler(ModelParts &parts, VertexPool &pool) : m_parts(parts), m_pool(pool)
+{
+}
 
 int PrimitiveAssembler::addNamedFace(const Label &label)
 {

@@ -11,8 +11,7 @@
 #include <utility>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
+namespace vpMeshDetail {
 //! How a primitive is called in its model file.
 struct Label
 {

@@ -6,10 +6,8 @@
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
-namespace
-{
+namespace vpMeshDetail {
+namespace {
 // 48 sides stay within 0.2 % of the radius.
 constexpr int sides = 48;
 
@@ -92,8 +90,8 @@ void PrimitiveAssembler::addCap(const std::vector<int> &rims, std::size_t end, c
     vpModelTriangle triangle;
     triangle.face = index;
     triangle.normal = {{normal, normal, normal}};
-    triangle.vertex = {{rimVertex(rims, end, 0), rimVertex(rims, end, top ? i : i + 1),
-                        rimVertex(rims, end, top ? i + 1 : i)}};
+    triangle.vertex = {
+        {rimVertex(rims, end, 0), rimVertex(rims, end, top ? i : i + 1), rimVertex(rims, end, top ? i + 1 : i)}};
     m_parts.triangles.push_back(triangle);
   }
 }

@@ -5,10 +5,8 @@
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
-namespace
-{
+namespace vpMeshDetail {
+namespace {
 // Cells are kept large against the tolerance, so that most points have their whole neighbourhood in one cell, and small
 // against the object, so that a cell holds few points.
 constexpr double smallestCell = 2e-5;
@@ -25,8 +23,8 @@ std::size_t powerOfTwoAbove(std::size_t count)
 
 VertexPool::VertexPool(const Eigen::Vector3d &lower, double diameter, double tolerance, std::size_t expected,
                        std::vector<Eigen::Vector3d> &vertices)
-  : m_lower(lower), m_cellSize(std::max(2. * tolerance, smallestCell * diameter)), m_tolerance(tolerance),
-    m_vertices(vertices), m_heads(powerOfTwoAbove(expected), -1)
+    : m_lower(lower), m_cellSize(std::max(2. * tolerance, smallestCell * diameter)), m_tolerance(tolerance),
+      m_vertices(vertices), m_heads(powerOfTwoAbove(expected), -1)
 {
 }
 

@@ -12,8 +12,7 @@
 #include <vector>
 
 BEGIN_VISP_NAMESPACE
-namespace vpMeshDetail
-{
+namespace vpMeshDetail {
 /*!
   Welds points: those within a tolerance of a vertex become that vertex.
 

@@ -6,6 +6,12 @@
 
 BEGIN_VISP_NAMESPACE
 
+namespace vpMeshDetail {
+struct BoundingBox;
+struct ModelParts;
+class VertexPool;
+} // namespace vpMeshDetail
+
 /*! \ingroup group_model_geometry How raw geometry becomes a model. */
 struct VISP_EXPORT vpModelOptions
 {
@@ -47,7 +53,8 @@ public:
   //! A line that is seen from all sides unless the surface hides it.
   void addLine(const Eigen::Vector3d &start, const Eigen::Vector3d &end, const std::string &name = "",
                int polygon = -1);
-  //! A cylinder given by the ends of its axis and its radius (> 0). \throw vpException where the radius is not positive.
+  //! A cylinder given by the ends of its axis and its radius (> 0). \throw vpException where the radius is not
+  //! positive.
   void addCylinder(const Eigen::Vector3d &start, const Eigen::Vector3d &end, double radius,
                    const std::string &name = "", int polygon = -1);
   //! A circle given by its centre, two more points of its plane (counter-clockwise from the seen side) and its radius
@@ -96,6 +103,14 @@ private:
     int polygon = -1;
     bool closed = true;
   };
+
+  void checkFinite(const std::string &file) const;
+  vpMeshDetail::BoundingBox measure(const std::string &file) const;
+  void checkSize(double diameter, const std::string &file) const;
+  void assemblePrimitives(const std::string &file, vpMeshDetail::ModelParts &parts,
+                          vpMeshDetail::VertexPool &pool) const;
+  void assembleMesh(vpMeshDetail::ModelParts &parts, vpMeshDetail::VertexPool &pool) const;
+
   vpModelOptions m_options;
   std::vector<Primitive> m_faces;
   std::vector<Primitive> m_lines;
