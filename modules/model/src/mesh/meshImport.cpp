@@ -29,15 +29,15 @@ Eigen::Affine3d toEigen(const aiMatrix4x4 &m)
   return result;
 }
 
-//! Pose of the mesh's frame, its translation in the file's unit.
-Eigen::Affine3d poseInUnit(const vpHomogeneousMatrix &oMm, double unit)
+//! From the file's coordinates to those of the builder.
+Eigen::Affine3d toBuilder(const vpHomogeneousMatrix &oMm, double unit, double builderUnit)
 {
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
   for (unsigned int i = 0; i < 3; ++i) {
     for (unsigned int j = 0; j < 3; ++j) {
-      result.matrix()(i, j) = oMm[i][j];
+      result.matrix()(i, j) = oMm[i][j] * (unit / builderUnit);
     }
-    result.matrix()(i, 3) = oMm[i][3] / unit;
+    result.matrix()(i, 3) = oMm[i][3] / builderUnit;
   }
   return result;
 }
@@ -203,7 +203,7 @@ void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix 
                       ("model '" + file + "' cannot be read, is it broken or of another format? " + reason).c_str());
   }
   SceneReader reader(*scene, vpIoTools::getParent(file), builder);
-  reader.addNode(*scene->mRootNode, poseInUnit(oMm, unit));
+  reader.addNode(*scene->mRootNode, toBuilder(oMm, unit, builder.options().unit));
   if (!reader.hasTriangles()) {
     throw vpException(
         vpException::badValue, "%s",

@@ -14,7 +14,7 @@ namespace vpMeshDetail {
   \param file Path of a file that exists.
   \param unit Metres per unit of the file.
   \param oMm Pose of the mesh's frame in the object frame.
-  \param builder Where the triangles go, in the file's unit.
+  \param builder Where the triangles go, in the unit of its options.
   \throw vpException naming the file where it cannot be read or has no triangles.
 */
 void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix &oMm, vpTrackedModelBuilder &builder);

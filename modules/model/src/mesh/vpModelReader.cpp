@@ -10,6 +10,7 @@
 #include <cctype>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 BEGIN_VISP_NAMESPACE
 namespace {
@@ -50,8 +51,16 @@ vpTrackedModel vpModelReader::read(const std::string &file, const vpModelOptions
                                    const vpHomogeneousMatrix &oMm)
 {
   vpTrackedModelBuilder builder(options);
-  checkFile(file);
-  vpMeshDetail::importMesh(file, options.unit, oMm, builder);
+  addTo(builder, file, options.unit, oMm);
   return builder.build(file);
+}
+
+void vpModelReader::addTo(vpTrackedModelBuilder &builder, const std::string &file, double unit,
+                          const vpHomogeneousMatrix &oMm)
+{
+  checkFile(file);
+  vpTrackedModelBuilder changed = builder;
+  vpMeshDetail::importMesh(file, unit, oMm, changed);
+  builder = std::move(changed);
 }
 END_VISP_NAMESPACE

@@ -41,6 +41,8 @@ public:
   //! \throw vpException where an option is out of range.
   explicit vpTrackedModelBuilder(const vpModelOptions &options = vpModelOptions());
 
+  const vpModelOptions &options() const { return m_options; }
+
   /*!
     A polygon whose boundary is tracked where it faces the camera.
     \param corners At least 3, in order, counter-clockwise seen from outside, in a plane, not necessarily convex.
