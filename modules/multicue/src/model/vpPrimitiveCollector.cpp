@@ -13,21 +13,20 @@ Eigen::Vector3d toEigen(const vpPoint &point)
 }
 } // namespace
 
-vpTrackedModel vpPrimitiveCollector::read(const std::string &modelFile, const vpHomogeneousMatrix &odTo)
+vpTrackedModelBuilder vpPrimitiveCollector::add(const vpTrackedModelBuilder &builder, const std::string &modelFile,
+                                                const vpHomogeneousMatrix &odTo)
 {
   if (!vpIoTools::checkFilename(modelFile)) {
     throw vpException(vpException::ioError, "The model file '%s' does not exist or cannot be read: check its path",
                       modelFile.c_str());
   }
+  vpPrimitiveCollector collector(builder);
   try {
-    vpMbTracker::loadModel(modelFile, false, odTo);
-  } catch (const vpException &e) {
-    throw vpException(vpException::ioError, "The model file '%s' cannot be read: %s", modelFile.c_str(),
-                      e.getMessage());
+    collector.loadModel(modelFile, false, odTo);
   } catch (const std::exception &e) {
-    throw vpException(vpException::ioError, "The model file '%s' is broken: %s", modelFile.c_str(), e.what());
+    throw vpException(vpException::ioError, "The model file '%s' cannot be read: %s", modelFile.c_str(), e.what());
   }
-  return m_builder.build(modelFile);
+  return collector.m_builder;
 }
 
 void vpPrimitiveCollector::initCircle(const vpPoint &centre, const vpPoint &second, const vpPoint &third, double radius,

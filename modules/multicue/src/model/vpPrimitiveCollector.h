@@ -15,13 +15,14 @@ BEGIN_VISP_NAMESPACE
 class vpPrimitiveCollector : public vpMbTracker
 {
 public:
-  explicit vpPrimitiveCollector(const vpModelOptions &options) : m_builder(options) {}
-
   /*!
-    \return The model in \e modelFile.
-    \throw vpException naming the file where it is missing, broken or empty.
+    \param builder What the model has already.
+    \param modelFile Path of a .cao or .wrl file.
+    \param odTo Pose of the file's frame in the object frame.
+    \return The builder with the file's primitives added.
+    \throw vpException naming the file where it is missing or broken.
   */
-  vpTrackedModel read(const std::string &modelFile, const vpHomogeneousMatrix &odTo);
+  static vpTrackedModelBuilder add(const vpTrackedModelBuilder &builder, const std::string &modelFile, const vpHomogeneousMatrix &odTo);
 
 protected:
   void initCircle(const vpPoint &centre, const vpPoint &second, const vpPoint &third, double radius, int idFace,
@@ -32,6 +33,7 @@ protected:
   void initFaceFromLines(vpMbtPolygon &polygon) override;
 
 private:
+  explicit vpPrimitiveCollector(const vpTrackedModelBuilder &builder) : m_builder(builder) {}
   void addPolygonLines(const vpMbtPolygon &polygon, bool closed);
 
   // What vpMbTracker demands of a tracker and reading does not use.

@@ -41,7 +41,7 @@ void vpMbMultiCueTracker::setMovingEdge(const vpMe &me, vpEdgeCueSettings::Thres
                       me.getSampleStep());
   }
   m_impl->edges.setSettings(settings);
-  m_impl->sampleStep = me.getSampleStep();
+  m_impl->viewOptions.sampleStep = me.getSampleStep();
   m_impl->me = me;
 }
 
@@ -132,6 +132,7 @@ void vpMbMultiCueTracker::setLod(bool useLod, const std::string &name)
     useLodGeneral = useLod;
   }
   vpMbTracker::setLod(useLod, name);
+  updateDetails();
 }
 
 void vpMbMultiCueTracker::setMinLineLengthThresh(double minLineLengthThresh, const std::string &name)
@@ -140,6 +141,7 @@ void vpMbMultiCueTracker::setMinLineLengthThresh(double minLineLengthThresh, con
     minLineLengthThresholdGeneral = minLineLengthThresh;
   }
   vpMbTracker::setMinLineLengthThresh(minLineLengthThresh, name);
+  updateDetails();
 }
 
 void vpMbMultiCueTracker::setMinPolygonAreaThresh(double minPolygonAreaThresh, const std::string &name)
@@ -148,6 +150,7 @@ void vpMbMultiCueTracker::setMinPolygonAreaThresh(double minPolygonAreaThresh, c
     minPolygonAreaThresholdGeneral = minPolygonAreaThresh;
   }
   vpMbTracker::setMinPolygonAreaThresh(minPolygonAreaThresh, name);
+  updateDetails();
 }
 
 void vpMbMultiCueTracker::setRenderer(vpModelRenderer::Preference preference)
@@ -156,18 +159,15 @@ void vpMbMultiCueTracker::setRenderer(vpModelRenderer::Preference preference)
   m_impl->makeRenderer();
 }
 
-vpModelViewOptions vpMbMultiCueTracker::viewOptions() const
+const vpModelViewOptions &vpMbMultiCueTracker::viewOptions() const
 {
-  vpModelViewOptions options;
-  options.sampleStep = m_impl->sampleStep;
+  // vpMbTracker holds these, and its setters are not all virtual.
+  const vpModelViewOptions defaults;
+  vpModelViewOptions &options = m_impl->viewOptions;
   options.appearAngle = std::min(vpMath::deg(angleAppears), 90.);
   options.disappearAngle = std::min(std::max(vpMath::deg(angleDisappears), options.appearAngle), 90.);
-  if ((clippingFlag & vpPolygon3D::NEAR_CLIPPING) != 0) {
-    options.nearDistance = distNearClip;
-  }
-  if ((clippingFlag & vpPolygon3D::FAR_CLIPPING) != 0) {
-    options.farDistance = distFarClip;
-  }
+  options.nearDistance = (clippingFlag & vpPolygon3D::NEAR_CLIPPING) != 0 ? distNearClip : defaults.nearDistance;
+  options.farDistance = (clippingFlag & vpPolygon3D::FAR_CLIPPING) != 0 ? distFarClip : defaults.farDistance;
   return options;
 }
 
@@ -193,10 +193,11 @@ void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool ver
 void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
 {
   settings.check();
-  const vpModelViewOptions before = viewOptions();
+  const double nearBefore = viewOptions().nearDistance;
+  const double farBefore = viewOptions().farDistance;
   setCameraParameters(settings.camera);
   m_impl->edges.setSettings(settings.edge);
-  m_impl->sampleStep = settings.view.sampleStep;
+  m_impl->viewOptions.sampleStep = settings.view.sampleStep;
   m_impl->klt = settings.klt;
   m_impl->me.setRange(static_cast<unsigned int>(settings.edge.range));
   m_impl->me.setMaskSize(settings.edge.maskSize);
@@ -205,10 +206,10 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   m_impl->me.setSampleStep(settings.view.sampleStep);
   angleAppears = vpMath::rad(settings.view.appearAngle);
   angleDisappears = vpMath::rad(settings.view.disappearAngle);
-  if (settings.view.nearDistance != before.nearDistance) {
+  if (settings.view.nearDistance != nearBefore) {
     setNearClippingDistance(settings.view.nearDistance);
   }
-  if (settings.view.farDistance != before.farDistance) {
+  if (settings.view.farDistance != farBefore) {
     setFarClippingDistance(settings.view.farDistance);
   }
   if (settings.clipToImage) {

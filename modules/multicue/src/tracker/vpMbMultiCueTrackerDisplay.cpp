@@ -138,7 +138,7 @@ double vpMbMultiCueTracker::computeCurrentProjectionError(const vpImage<unsigned
                                                           const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
 {
   m_impl->requireModel();
-  if (!m_projectionErrorFaces.getPolygon().empty()) {
+  if (!m_impl->hasMesh) {
     return vpMbTracker::computeCurrentProjectionError(I, cMo, cam);
   }
   vpModelView view(*m_impl->view);

@@ -33,41 +33,83 @@ void vpMbMultiCueTracker::forgetPrimitives()
   deleteAll(m_projectionErrorCircles);
 }
 
+vpTrackedModelBuilder vpMbMultiCueTracker::collect(const vpTrackedModelBuilder &before, const std::string &modelFile,
+                                                   const vpHomogeneousMatrix &odTo) const
+{
+  if (!vpModelReader::isMesh(modelFile)) {
+    return vpPrimitiveCollector::add(before, modelFile, odTo);
+  }
+  vpTrackedModelBuilder parts = before;
+  vpModelReader::addTo(parts, modelFile, m_impl->modelOptions.unit, odTo);
+  return parts;
+}
+
 void vpMbMultiCueTracker::loadModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  if (vpModelReader::isMesh(modelFile)) {
-    loadMesh(modelFile, odTo);
-  } else {
-    loadVispModel(modelFile, verbose, odTo);
-  }
-  if (verbose) {
-    std::cout << m_impl->model->report() << std::flush;
-  }
+  const vpTrackedModelBuilder before = m_impl->parts ? *m_impl->parts : vpTrackedModelBuilder(m_impl->modelOptions);
+  vpTrackedModelBuilder parts = collect(before, modelFile, odTo);
+  vpTrackedModel loaded = parts.build(modelFile);
+  takeModel(std::move(parts), std::move(loaded), modelFile, verbose, odTo);
 }
 
-void vpMbMultiCueTracker::loadMesh(const std::string &modelFile, const vpHomogeneousMatrix &odTo)
+void vpMbMultiCueTracker::replaceModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  vpTrackedModel loaded = vpModelReader::read(modelFile, m_impl->modelOptions, odTo);
+  vpTrackedModelBuilder parts = collect(vpTrackedModelBuilder(m_impl->modelOptions), modelFile, odTo);
+  vpTrackedModel loaded = parts.build(modelFile);
   forgetPrimitives();
-  m_impl->setModel(std::move(loaded));
+  m_impl->hasMesh = false;
+  takeModel(std::move(parts), std::move(loaded), modelFile, verbose, odTo);
+}
+
+void vpMbMultiCueTracker::takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded, const std::string &modelFile,
+                                    bool verbose, const vpHomogeneousMatrix &odTo)
+{
+  if (vpModelReader::isMesh(modelFile)) {
+    m_impl->hasMesh = true;
+  } else {
+    // What vpMbTracker itself keeps of a model (faces, their level of detail, projection error) is read once more from the
+    // file, which has just been read without an error.
+    vpMbTracker::loadModel(modelFile, verbose, odTo);
+  }
   modelInitialised = true;
   modelFileName = modelFile;
-}
-
-void vpMbMultiCueTracker::loadVispModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo)
-{
-  // The unit is that of meshes: ViSP's files are in metres.
-  vpModelOptions options = m_impl->modelOptions;
-  options.unit = 1.;
-  vpTrackedModel loaded = vpPrimitiveCollector(options).read(modelFile, odTo);
-  forgetPrimitives();
-  // Read once more for what vpMbTracker itself keeps of a model: faces, their level of detail, projection error.
-  vpMbTracker::loadModel(modelFile, verbose, odTo);
+  m_impl->parts = std::make_unique<vpTrackedModelBuilder>(std::move(parts));
   m_impl->setModel(std::move(loaded));
   if (useLodGeneral) {
     vpMbTracker::setLod(true);
     vpMbTracker::setMinLineLengthThresh(minLineLengthThresholdGeneral);
     vpMbTracker::setMinPolygonAreaThresh(minPolygonAreaThresholdGeneral);
+  }
+  updateDetails();
+  if (verbose) {
+    std::cout << m_impl->model->report() << std::flush;
+  }
+}
+
+void vpMbMultiCueTracker::updateDetails()
+{
+  std::vector<vpFaceDetail> &details = m_impl->viewOptions.details;
+  details.clear();
+  if (!m_impl->model) {
+    return;
+  }
+  bool any = false;
+  for (const vpModelFace &face : m_impl->model->faces()) {
+    vpFaceDetail detail;
+    detail.enabled = useLodGeneral; // Faces of meshes have no polygon of their own.
+    detail.minLineLength = minLineLengthThresholdGeneral;
+    detail.minPolygonArea = minPolygonAreaThresholdGeneral;
+    if (face.polygon >= 0 && static_cast<unsigned int>(face.polygon) < faces.size()) {
+      const vpMbtPolygon &polygon = *faces[static_cast<unsigned int>(face.polygon)];
+      detail.enabled = polygon.useLod;
+      detail.minLineLength = polygon.minLineLengthThresh;
+      detail.minPolygonArea = polygon.minPolygonAreaThresh;
+    }
+    any = any || detail.enabled;
+    details.push_back(detail);
+  }
+  if (!any) {
+    details.clear();
   }
 }
 
@@ -99,17 +141,17 @@ std::shared_ptr<const vpTrackedModel> vpMbMultiCueTracker::getModel() const
   return m_impl->model;
 }
 
-void vpMbMultiCueTracker::reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
-                                      const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
+void vpMbMultiCueTracker::reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
+                                      bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  loadModel(modelFile, verbose, odTo);
+  replaceModel(modelFile, verbose, odTo);
   initFromPose(I, cMo);
 }
 
-void vpMbMultiCueTracker::reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile,
-                                      const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
+void vpMbMultiCueTracker::reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
+                                      bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  loadModel(modelFile, verbose, odTo);
+  replaceModel(modelFile, verbose, odTo);
   initFromPose(I_color, cMo);
 }
 

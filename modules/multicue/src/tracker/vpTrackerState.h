@@ -21,7 +21,7 @@ public:
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
   int type = EDGE_TRACKER;
-  double sampleStep = 4.;
+  vpModelViewOptions viewOptions; // Brought up to date by vpMbMultiCueTracker::viewOptions().
   vpMe me; // As the user gave it, for getMovingEdge().
   vpKltSettings klt;
   vpModelOptions modelOptions;
@@ -30,6 +30,8 @@ public:
   bool throwOnLoss = false;
 
   // Model and what is derived from it.
+  std::unique_ptr<vpTrackedModelBuilder> parts; // What loadModel() added up to now.
+  bool hasMesh = false;                         // One of the parts is a mesh.
   std::shared_ptr<const vpTrackedModel> model;
   std::unique_ptr<vpModelRenderer> renderer;
   std::unique_ptr<vpModelView> view;

@@ -14,13 +14,15 @@ class VISP_EXPORT vpCpuRenderer : public vpModelRenderer
 {
 public:
   explicit vpCpuRenderer(const std::shared_ptr<const vpTrackedModel> &model);
+  ~vpCpuRenderer() override;
 
   void render(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
               unsigned int imageHeight, const vpRenderOptions &options, vpRenderedView &view) override;
   std::string name() const override;
 
 private:
-  std::shared_ptr<const vpTrackedModel> m_model;
+  class Impl;
+  std::unique_ptr<Impl> m_impl;
 };
 
 END_VISP_NAMESPACE

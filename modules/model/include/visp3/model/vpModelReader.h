@@ -26,6 +26,16 @@ public:
   */
   static vpTrackedModel read(const std::string &file, const vpModelOptions &options = vpModelOptions(),
                              const vpHomogeneousMatrix &oMm = vpHomogeneousMatrix());
+
+  /*!
+    Adds a mesh to what a builder has already.
+    \param builder Where the triangles go; unchanged where the file cannot be read.
+    \param file, oMm As for read().
+    \param unit Metres per unit of the file, > 0; the builder's own unit may be another one.
+    \throw vpException naming the file where it is missing, broken, empty or has no triangles.
+  */
+  static void addTo(vpTrackedModelBuilder &builder, const std::string &file, double unit,
+                    const vpHomogeneousMatrix &oMm = vpHomogeneousMatrix());
 };
 
 END_VISP_NAMESPACE

@@ -47,6 +47,7 @@ public:
   /** @name Model */
   //@{
   /*!
+    Adds a file to the model, as ViSP's trackers do: several files make one object. reInitModel() and resetTracker() begin anew.
     \param modelFile Path of a .cao, .wrl (metres), or mesh file (unit of setModelUnit()).
     \param verbose Print the report of what was loaded.
     \param odTo Pose of the file's frame in the object frame.
@@ -67,7 +68,7 @@ public:
   const vpModelReport &getModelReport() const;
   //! The model itself, null before loadModel().
   std::shared_ptr<const vpTrackedModel> getModel() const;
-  //! Loads another model and starts it at a pose.
+  //! Replaces the model by another one and starts it at a pose.
   virtual void reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
                            const vpHomogeneousMatrix &cMo, bool verbose = false,
                            const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix());
@@ -179,8 +180,12 @@ protected:
 private:
   class Impl;
 
-  void loadMesh(const std::string &modelFile, const vpHomogeneousMatrix &odTo);
-  void loadVispModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo);
+  vpTrackedModelBuilder collect(const vpTrackedModelBuilder &before, const std::string &modelFile,
+                                const vpHomogeneousMatrix &odTo) const;
+  void takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded, const std::string &modelFile, bool verbose,
+                 const vpHomogeneousMatrix &odTo);
+  void updateDetails();
+  void replaceModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo);
   void forgetPrimitives();
   void start(unsigned int width, unsigned int height);
   void requireTrackable(unsigned int width, unsigned int height) const;
@@ -190,7 +195,7 @@ private:
   bool restrictToObserved();
   void judge(const vpHomogeneousMatrix &cMoBefore, bool estimated);
   void updateView(const vpCueFrame &frame);
-  vpModelViewOptions viewOptions() const;
+  const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);
   vpMultiCueSettings currentSettings() const;
   template <typename Pixel>
