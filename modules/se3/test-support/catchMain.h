@@ -37,7 +37,7 @@ using namespace VISP_NAMESPACE_NAME;
 
 #if CATCH_VERSION_MAJOR >= 3
 using Catch::Approx;
-using namespace Catch::Matchers;
+using Catch::Matchers::ContainsSubstring; // not the whole namespace: it has an Approx of its own
 #else
 // Version 3 calls the matcher for a part of a message so; its own Contains looks into ranges.
 inline Catch::Matchers::StdString::ContainsMatcher ContainsSubstring(const std::string &text)

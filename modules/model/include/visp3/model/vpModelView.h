@@ -21,8 +21,8 @@ struct vpControlPoint
   Eigen::Vector2d pixel;     //!< Projection (u, v), pixels.
   Eigen::Vector2d normal;    //!< Unit normal of the edge in the image (u, v); away from the object for a silhouette.
   vpEdgeKind kind = vpEdgeKind::SILHOUETTE;
-  bool slides =
-      false; //!< True on a curved surface's rim, where another point of the surface is the rim once the pose changes.
+  bool slides = false;   //!< True on a curved surface's rim: another point is the rim once the pose changes.
+  double side = 1.;      //!< 1 where normal is the image of direction turned from u towards v, else -1.
   int contour = -1;      //!< Index into vpModelView::contours().
   double arcLength = 0.; //!< Along the contour from its start, pixels.
   int edge = -1;         //!< A number that names the model edge in every view, -1 on rims of curved meshes.
@@ -35,26 +35,10 @@ struct vpContour
   int first = 0;        //!< Index of its first control point.
   int count = 0;        //!< Number of control points.
   bool straight = true; //!< True for the image of a straight line.
+  double step = 0.;     //!< Distance of neighbouring control points along it, pixels.
 };
 
-/*! \ingroup group_model_view How a view is taken. */
-struct VISP_EXPORT vpModelViewOptions
-{
-  double sampleStep = 4.;                  //!< Distance of control points along an edge, pixels, >= 0.5.
-  double appearAngle = 1.5533430342749532; //!< A face is seen below this angle between normal and line of sight,
-                                           //!< radians, (0, pi/2]; 89 deg.
-  double disappearAngle =
-      1.5533430342749532;            //!< A face that was seen is so up to this angle, radians, [appearAngle, pi/2].
-  double nearDistance = 0.001;       //!< Nothing closer is seen, metres, > 0.
-  double farDistance = 0.;           //!< Nothing farther is seen, metres; 0: no limit.
-  double border = 2.;                //!< Points closer to the image border are left out, pixels, >= 0.
-  unsigned int visibilitySize = 192; //!< Largest side of the depth buffer that hides edges, pixels, >= 16.
-
-  //! \throw vpException naming the first member out of range.
-  void check() const;
-};
-
-/*! \ingroup group_model_view Level of detail of one polygon, as ViSP's setLod() has it. */
+/*! \ingroup group_model_view Level of detail of one face, as ViSP's setLod() has it. */
 struct vpFaceDetail
 {
   bool enabled = false;
@@ -62,39 +46,90 @@ struct vpFaceDetail
   double minPolygonArea = 2500.; //!< Smaller faces are left out, square pixels.
 };
 
+/*! \ingroup group_model_view How a view is taken. */
+struct VISP_EXPORT vpModelViewOptions
+{
+  double sampleStep = 4.;      //!< Distance of control points along an edge, pixels, >= 0.5.
+  double appearAngle = 89.;    //!< A face is seen below this angle between normal and line of sight, degrees, (0, 90].
+  double disappearAngle = 89.; //!< A face that was seen stays so up to this angle, degrees, [appearAngle, 90].
+  double nearDistance = 0.001; //!< Nothing closer is seen, metres, > 0.
+  double farDistance = 0.;     //!< Nothing farther is seen, metres; 0: no limit.
+  double border = 2.;          //!< Points closer to the image border are left out, pixels, >= 0.
+  unsigned int visibilitySize = 192; //!< Largest side of the depth buffer that hides edges, pixels, >= 16.
+  bool allEdges = false;             //!< Edges of the faces that are turned away count as seen too.
+  std::vector<vpFaceDetail> details; //!< Per face of the model; empty: every face in full detail.
+
+  //! \throw vpException naming the first member out of range.
+  void check() const;
+};
+
+class vpModelTopology;
+
 /*!
   \ingroup group_model_view
   The control points that are visible from a pose, for polyhedra and for curved meshes.
 
   Straight edges, circles and cylinder limbs come from the model; the rims of curved faces are where the interpolated
   corner normals are perpendicular to the line of sight. All are clipped, sampled evenly in the image and kept where the
-  depth buffer does not hide them (a convex object needs no such buffer). Memory is used again from call to call.
+  depth buffer does not hide them (a convex object needs no such buffer). Nothing is allocated once the memory of an
+  earlier call suffices. Copies share what is derived from the model.
 */
 class VISP_EXPORT vpModelView
 {
 public:
-  /*!
-    \param model, renderer Have the same model; \e renderer may be null for a convex model.
-    \param cMo Pose of the object in the camera frame.
-    \param cam Camera without distortion.
-    \param imageWidth, imageHeight Pixels, > 0.
-    \param options How to look.
-  */
-  void compute(const vpTrackedModel &model, vpModelRenderer *renderer, const vpHomogeneousMatrix &cMo,
-               const vpCameraParameters &cam, unsigned int imageWidth, unsigned int imageHeight,
-               const vpModelViewOptions &options);
+  //! Prepares what depends on the model alone. \param model Not null; kept alive by the view.
+  explicit vpModelView(const std::shared_ptr<const vpTrackedModel> &model);
 
+  /*!
+    \param cMo Pose of the object in the camera frame.
+    \param cam Camera without distortion (distortion coefficients are ignored).
+    \param imageWidth, imageHeight Pixels, > 0.
+    \param options How to look; not checked here.
+    \param renderer Draws the depth buffer of the same model; not used for a convex one, null there.
+  */
+  void compute(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
+               unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer);
+
+  const vpTrackedModel &model() const { return *m_model; }
   const std::vector<vpControlPoint> &points() const { return m_points; }
   const std::vector<vpContour> &contours() const { return m_contours; }
-  //! Per face of the model: 1 where it faces the camera.
+  //! Per face of the model: 1 where it is seen, as far as its own orientation, size and place decide.
   const std::vector<char> &facesSeen() const { return m_facesSeen; }
-  //! True where a rim slides over a curved surface: the view is then good for small motions only.
+  //! Number of names that vpControlPoint::edge can have: straight edges, two limbs for each cylinder, circles.
+  int edgeNames() const;
+  //! True where a rim slides over a curved surface: the view then serves small motions only.
   bool hasSlidingRims() const { return m_hasSlidingRims; }
 
 private:
+  friend class vpContourSampler;
+  friend class vpRimTracer;
+  friend class vpCurves;
+
+  // A straight bit of a curve, clipped to what the camera sees.
+  struct Piece
+  {
+    std::array<Eigen::Vector3d, 2> position;  // Ends, object frame.
+    std::array<Eigen::Vector3d, 2> direction; // Of the curve at the ends, object frame.
+    std::array<Eigen::Vector3d, 2> outward;   // Away from the surface at the ends, object frame; zero: not known.
+    std::array<Eigen::Vector2d, 2> pixel;
+    std::array<double, 2> depth;
+    std::array<double, 2> parameter;
+    double length = 0.; // Pixels.
+    int edge = -1;
+    bool slides = false;
+    bool innerEdge = false; // Surface seen on both sides.
+    bool joined = false;    // Starts where the piece before it ends.
+  };
+
+  std::shared_ptr<const vpTrackedModel> m_model;
+  std::shared_ptr<const vpModelTopology> m_topology;
+  vpRenderedView m_depth;
   std::vector<vpControlPoint> m_points;
   std::vector<vpContour> m_contours;
   std::vector<char> m_facesSeen;
+  std::vector<float> m_facing; // Of the corner normals: negative towards the camera.
+  std::vector<char> m_visited; // Smooth triangles that a rim was traced over.
+  std::vector<Piece> m_pieces; // Of the curve being sampled.
   bool m_hasSlidingRims = false;
 };
 

@@ -14,4 +14,23 @@
 #define END_VISP_NAMESPACE
 #endif
 
+BEGIN_VISP_NAMESPACE
+
+/*!
+  \ingroup group_se3
+  True where vpMe parameters hold their threshold in gray levels (ViSP 3.6 and later, where asked for).
+*/
+template <typename Me>
+auto vpMeHasNormalizedThreshold(const Me &me) -> decltype(me.getLikelihoodThresholdType() == Me::NORMALIZED_THRESHOLD)
+{
+  return me.getLikelihoodThresholdType() == Me::NORMALIZED_THRESHOLD;
+}
+//! Chosen where ViSP knows one scale only, the old one.
+template <typename... Any> bool vpMeHasNormalizedThreshold(const Any &...)
+{
+  return false;
+}
+
+END_VISP_NAMESPACE
+
 #endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpEdgeCue_h
+#define vpEdgeCue_h
+
+#include <visp3/cues/vpPoseCue.h>
+#include <visp3/me/vpMe.h>
+
+BEGIN_VISP_NAMESPACE
+
+/*! \ingroup group_cues_edge How edges are looked for. */
+struct VISP_EXPORT vpEdgeCueSettings
+{
+  //! The two scales of ViSP's moving-edge threshold.
+  enum ThresholdScale
+  {
+    LIKELIHOOD, //!< ViSP up to 3.5, and OLD_THRESHOLD from 3.6 on: grows with the mask (10000 is 5 gray levels for 5 x
+                //!< 5).
+    CONTRAST    //!< NORMALIZED_THRESHOLD of ViSP from 3.6 on: gray levels.
+  };
+
+  double range = 10.;          //!< Half length of the search along the normal, pixels, [1, 100].
+  double contrast = 5.;        //!< Smallest difference of the gray levels on both sides, (0, 255].
+  double mu1 = 0.5;            //!< The contrast may fall by this share from one frame to the next, [0, 1].
+  double mu2 = 0.5;            //!< The contrast may grow by this share from one frame to the next, >= 0.
+  unsigned int maskSize = 5;   //!< Pixels that a gradient is taken over, across and along the edge, [3, 15].
+  unsigned int candidates = 3; //!< Edges kept for a control point: 1 is ViSP's classical tracker; [1, 8].
+
+  /*!
+    Takes over range, threshold, mu1, mu2 and mask size.
+    \param me ViSP's parameters.
+    \param scale Scale of the threshold of \e me.
+  */
+  void set(const vpMe &me, ThresholdScale scale);
+  //! Likewise, in the scale that \e me itself names (ViSP 3.6 and later; LIKELIHOOD for older ones).
+  void set(const vpMe &me);
+  //! \return \e threshold in gray levels. \param maskSize Side of the mask, pixels.
+  static double toContrast(double threshold, ThresholdScale scale, unsigned int maskSize);
+
+  //! \throw vpException naming the first member out of range.
+  void check() const;
+};
+
+/*!
+  \ingroup group_cues_edge
+  Distances between projected edges and edges of the image ([T10] II, [P14] eq. 6 and 7).
+
+  Each control point is searched along its normal for local extrema of the gradient, to a fraction of a pixel. As in
+  ViSP's moving edges, a point remembers its contrast, and what differs too much from it is no candidate. Of several
+  candidates the one nearest to the projected edge counts, chosen anew for every pose (*minimum mode*, [P14] eq. 7). The
+  error is the distance of the candidate to the projected line through the control point, in normalised coordinates
+  (metres at 1 m); its interaction matrix has the dependence of the line's normal on the pose in it.
+*/
+class VISP_EXPORT vpEdgeCue : public vpPoseCue
+{
+public:
+  //! An edge found in the image.
+  struct Candidate
+  {
+    Eigen::Vector2d place; //!< In the image, normalised coordinates (metres at 1 m).
+    double offset = 0.;    //!< Along the control point's normal, pixels.
+    double contrast = 0.;  //!< Gray levels: brighter (positive) or darker (negative) along the normal.
+  };
+  //! A control point and what was found for it.
+  struct Match
+  {
+    vpControlPoint point;
+    double reach = 1.; //!< Stretch of the model edge that it stands for, as a difference of vpControlPoint::parameter.
+    int first = 0;     //!< Index of its first candidate.
+    int count = 0;     //!< Number of its candidates, best first; 0: nothing found.
+    vpFeatureState state = vpFeatureState::GOOD; //!< Why nothing was found.
+  };
+
+  explicit vpEdgeCue(const vpEdgeCueSettings &settings = vpEdgeCueSettings());
+
+  //! \throw vpException naming the member that is out of range; the old settings then stay.
+  void setSettings(const vpEdgeCueSettings &settings);
+  const vpEdgeCueSettings &settings() const { return m_settings; }
+
+  void match(const vpCueFrame &frame, const vpModelView &view) override;
+  //! One row for each control point with candidates, in the order of matches().
+  void residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block) const override;
+  void updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights) override;
+  void reset() override;
+  void getFeatures(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights,
+                   std::vector<vpCueFeature> &features) const override;
+
+  const std::vector<Match> &matches() const { return m_matches; }
+  const std::vector<Candidate> &candidates() const { return m_candidates; }
+
+private:
+  // Contrast of one stretch of a model edge in the frame where it was last seen, in the sense of the edge's own
+  // direction.
+  struct Memory
+  {
+    float contrast = 0.F;
+    bool known = false;
+  };
+
+  const Memory *recall(const vpControlPoint &point) const;
+  void remember(const Match &match, const Memory &memory);
+
+  vpEdgeCueSettings m_settings;
+  vpCameraParameters m_camera;
+  std::vector<Match> m_matches;
+  std::vector<Candidate> m_candidates;
+  std::vector<Memory> m_memory;
+};
+
+END_VISP_NAMESPACE
+#endif

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/cues/vpEdgeCue.h>
+
+#include "edge/vpEdgeSearch.h"
+#include "edge/vpProjectedLine.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const int binsPerEdge = 64;
+// What an edge's place in the image is uncertain by even where all is well, pixels.
+const double edgeNoise = 0.5;
+// Rows with less robust weight are called outliers and teach nothing.
+const double outlierWeight = 0.1;
+
+int binOf(double parameter)
+{
+  return std::min(std::max(static_cast<int>(parameter * binsPerEdge), 0), binsPerEdge - 1);
+}
+} // namespace
+
+vpEdgeCue::vpEdgeCue(const vpEdgeCueSettings &settings)
+{
+  setSettings(settings);
+}
+
+void vpEdgeCue::setSettings(const vpEdgeCueSettings &settings)
+{
+  settings.check();
+  m_settings = settings;
+}
+
+void vpEdgeCue::reset()
+{
+  m_memory.clear();
+  m_matches.clear();
+  m_candidates.clear();
+}
+
+const vpEdgeCue::Memory *vpEdgeCue::recall(const vpControlPoint &point) const
+{
+  if (point.edge < 0) {
+    return nullptr;
+  }
+  const Memory &memory = m_memory[static_cast<std::size_t>(point.edge * binsPerEdge + binOf(point.parameter))];
+  return memory.known ? &memory : nullptr;
+}
+
+void vpEdgeCue::remember(const Match &match, const Memory &memory)
+{
+  if (match.point.edge < 0) {
+    return;
+  }
+  const int first = binOf(match.point.parameter - 0.5 * match.reach);
+  const int last = binOf(match.point.parameter + 0.5 * match.reach);
+  for (int bin = first; bin <= last; ++bin) {
+    m_memory[static_cast<std::size_t>(match.point.edge * binsPerEdge + bin)] = memory;
+  }
+}
+
+namespace {
+// Distance to the next control point of the same edge; a point alone on its edge stands for all of it.
+double reachOf(const std::vector<vpControlPoint> &points, std::size_t i)
+{
+  const vpControlPoint &point = points[i];
+  for (const std::size_t other : {i + 1, i - 1}) {
+    if (other < points.size() && points[other].edge == point.edge && points[other].contour == point.contour) {
+      return std::fabs(points[other].parameter - point.parameter);
+    }
+  }
+  return 1.;
+}
+
+// The candidates that may be the edge that was seen before, the most alike first.
+vpFeatureState select(const std::vector<vpEdgeSearch::Extremum> &extrema, const float *reference,
+                      const vpEdgeCueSettings &settings, std::vector<vpEdgeSearch::Extremum> &selected)
+{
+  selected.clear();
+  if (extrema.empty()) {
+    return vpFeatureState::THRESHOLD;
+  }
+  for (const vpEdgeSearch::Extremum &extremum : extrema) {
+    const double ratio = reference == nullptr ? 1. : extremum.contrast / static_cast<double>(*reference);
+    if (ratio >= 1. - settings.mu1 && ratio <= 1. + settings.mu2) {
+      selected.push_back(extremum);
+    }
+  }
+  const auto likelier = [reference](const vpEdgeSearch::Extremum &a, const vpEdgeSearch::Extremum &b) {
+    if (reference == nullptr) {
+      return std::fabs(a.contrast) > std::fabs(b.contrast);
+    }
+    const double c = static_cast<double>(*reference);
+    return std::fabs(a.contrast - c) < std::fabs(b.contrast - c);
+  };
+  const std::size_t kept = std::min<std::size_t>(selected.size(), settings.candidates);
+  std::partial_sort(selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(kept), selected.end(), likelier);
+  selected.resize(kept);
+  return selected.empty() ? vpFeatureState::CONTRAST : vpFeatureState::GOOD;
+}
+} // namespace
+
+void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
+{
+  m_camera = frame.camera();
+  m_matches.clear();
+  m_candidates.clear();
+  const std::size_t bins = static_cast<std::size_t>(view.edgeNames()) * binsPerEdge;
+  if (m_memory.size() != bins) {
+    m_memory.assign(bins, Memory());
+  }
+  vpEdgeSearch search(frame.gray(), m_settings);
+  std::vector<vpEdgeSearch::Extremum> selected;
+  const std::vector<vpControlPoint> &points = view.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const vpControlPoint &point = points[i];
+    if (frame.isMasked(point.pixel.x(), point.pixel.y())) {
+      continue;
+    }
+    Match match;
+    match.point = point;
+    match.reach = reachOf(points, i);
+    match.first = static_cast<int>(m_candidates.size());
+    const Memory *memory = recall(point);
+    // Remembered along the edge's own direction, searched along the normal.
+    const float reference = memory == nullptr ? 0.F : memory->contrast * static_cast<float>(point.side);
+    match.state =
+        select(search.along(point.pixel, point.normal), memory == nullptr ? nullptr : &reference, m_settings, selected);
+    for (const vpEdgeSearch::Extremum &extremum : selected) {
+      Candidate candidate;
+      const Eigen::Vector2d pixel = point.pixel + extremum.offset * point.normal;
+      if (frame.isMasked(pixel.x(), pixel.y())) {
+        continue;
+      }
+      candidate.place = Eigen::Vector2d((pixel.x() - m_camera.get_u0()) / m_camera.get_px(),
+                                        (pixel.y() - m_camera.get_v0()) / m_camera.get_py());
+      candidate.offset = extremum.offset;
+      candidate.contrast = extremum.contrast;
+      m_candidates.push_back(candidate);
+    }
+    match.count = static_cast<int>(m_candidates.size()) - match.first;
+    m_matches.push_back(match);
+  }
+}
+
+void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block) const
+{
+  block.rows.clear();
+  block.noise = edgeNoise / m_camera.get_px();
+  const vpLineProjector project(cMo);
+  for (const Match &match : m_matches) {
+    if (match.count == 0) {
+      continue;
+    }
+    vpResidual row;
+    const vpProjectedLine line = project(match.point);
+    if (line.isSeen()) {
+      const Candidate &candidate = line.nearest(m_candidates.data() + match.first, match.count);
+      row.error = line.distance(candidate.place);
+      row.jacobian = line.jacobian(candidate.place, row.error);
+    } else {
+      row.weight = 0.;
+    }
+    block.rows.push_back(row);
+  }
+}
+
+void vpEdgeCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)
+{
+  const vpLineProjector project(cMo);
+  std::size_t row = 0;
+  for (const Match &match : m_matches) {
+    Memory memory;
+    if (match.count > 0 && weights[row++] > outlierWeight) {
+      const vpProjectedLine line = project(match.point);
+      memory.known = line.isSeen();
+      if (memory.known) {
+        const Candidate &candidate = line.nearest(m_candidates.data() + match.first, match.count);
+        memory.contrast = static_cast<float>(candidate.contrast * match.point.side);
+      }
+    }
+    remember(match, memory);
+  }
+}
+
+void vpEdgeCue::getFeatures(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights,
+                            std::vector<vpCueFeature> &features) const
+{
+  features.clear();
+  const vpLineProjector project(cMo);
+  std::size_t row = 0;
+  for (const Match &match : m_matches) {
+    vpCueFeature feature;
+    feature.state = match.state;
+    Eigen::Vector2d pixel = match.point.pixel;
+    if (match.count > 0) {
+      const vpProjectedLine line = project(match.point);
+      if (line.isSeen()) {
+        pixel += line.nearest(m_candidates.data() + match.first, match.count).offset * match.point.normal;
+      }
+      feature.state =
+          row < weights.size() && weights[row] <= outlierWeight ? vpFeatureState::OUTLIER : vpFeatureState::GOOD;
+      ++row;
+    }
+    feature.u = pixel.x();
+    feature.v = pixel.y();
+    features.push_back(feature);
+  }
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpModelTopology_h
+#define vpModelTopology_h
+
+#include <visp3/model/vpTrackedModel.h>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  What the views of a model derive from it once: edges linked into chains, on which side of an edge its faces lie, and
+  which smooth triangles are neighbours.
+*/
+class vpModelTopology
+{
+public:
+  //! An edge of a chain, walked from its first vertex to its second one, or backwards.
+  struct Link
+  {
+    int edge = -1;
+    bool reversed = false;
+  };
+  //! Edges that follow one another without a corner.
+  struct Chain
+  {
+    int first = 0; //!< Index into links().
+    int count = 0;
+  };
+
+  explicit vpModelTopology(const vpTrackedModel &model);
+
+  const std::vector<Chain> &chains() const { return m_chains; }
+  const std::vector<Link> &links() const { return m_links; }
+  /*!
+    Parallel to vpTrackedModel::edgeFaces(): unit direction, in the face and perpendicular to the edge, from the edge
+    into the face; zero where it is not known.
+  */
+  const std::vector<Eigen::Vector3d> &intoFace() const { return m_intoFace; }
+
+  //! Vertex of a corner normal, -1 where no smooth triangle uses it.
+  const std::vector<int> &normalVertex() const { return m_normalVertex; }
+  //! For corner k of smooth triangle i at [i][k]: the smooth triangle across the side from corner k to corner k + 1, or
+  //! -1.
+  const std::vector<std::array<int, 3>> &neighbours() const { return m_neighbours; }
+
+private:
+  void linkEdges(const vpTrackedModel &model);
+  void walkChain(const vpTrackedModel &model, int edge, const std::vector<std::vector<int>> &edgesAt,
+                 std::vector<char> &used);
+  void findSides(const vpTrackedModel &model);
+  void joinSmoothTriangles(const vpTrackedModel &model);
+
+  std::vector<Chain> m_chains;
+  std::vector<Link> m_links;
+  std::vector<Eigen::Vector3d> m_intoFace;
+  std::vector<int> m_normalVertex;
+  std::vector<std::array<int, 3>> m_neighbours;
+};
+
+END_VISP_NAMESPACE
+#endif

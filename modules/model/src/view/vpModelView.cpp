@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/model/vpModelView.h>
+
+#include "view/vpContourSampler.h"
+#include "view/vpCurves.h"
+#include "view/vpModelTopology.h"
+#include "view/vpRimTracer.h"
+
+#include <visp3/core/vpException.h>
+
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+void require(bool ok, const char *member, double value, const char *range)
+{
+  if (!ok) {
+    throw vpException(vpException::badValue, "vpModelViewOptions::%s is %g, it must be %s", member, value, range);
+  }
+}
+
+// Area of the projected polygon, square pixels; the camera sees all of it or the area is no use and counts as large.
+double projectedArea(const vpTrackedModel &model, const vpModelFace &face, const vpViewCamera &camera,
+                     double nearDistance)
+{
+  double twice = 0.;
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const std::size_t j = (i + 1) % face.corners.size();
+    const Eigen::Vector3d a = camera.toCamera(model.vertices()[static_cast<std::size_t>(face.corners[i])]);
+    const Eigen::Vector3d b = camera.toCamera(model.vertices()[static_cast<std::size_t>(face.corners[j])]);
+    if (a.z() < nearDistance || b.z() < nearDistance) {
+      return HUGE_VAL;
+    }
+    const Eigen::Vector2d p = camera.project(a);
+    const Eigen::Vector2d q = camera.project(b);
+    twice += p.x() * q.y() - q.x() * p.y();
+  }
+  return 0.5 * std::fabs(twice);
+}
+
+// What ViSP's hidden-face test does: the angle at the face's centre, with hysteresis, and the level of detail.
+void findFacesSeen(const vpTrackedModel &model, const vpViewCamera &camera, const vpModelViewOptions &options,
+                   std::vector<char> &seen)
+{
+  seen.resize(model.faces().size(), 0);
+  const double appear = std::cos(options.appearAngle * M_PI / 180.);
+  const double disappear = std::cos(options.disappearAngle * M_PI / 180.);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const vpModelFace &face = model.faces()[i];
+    if (face.planar && face.oriented && !options.allEdges) {
+      const Eigen::Vector3d toCamera = camera.oC - face.centre;
+      seen[i] = face.normal.dot(toCamera) > (seen[i] ? disappear : appear) * toCamera.norm();
+    } else {
+      seen[i] = 1;
+    }
+    if (seen[i] && i < options.details.size() && options.details[i].enabled && !face.corners.empty()) {
+      seen[i] = projectedArea(model, face, camera, options.nearDistance) >= options.details[i].minPolygonArea;
+    }
+  }
+}
+} // namespace
+
+void vpModelViewOptions::check() const
+{
+  require(sampleStep >= 0.5, "sampleStep", sampleStep, "at least 0.5 pixels");
+  require(appearAngle > 0. && appearAngle <= 90., "appearAngle", appearAngle, "in (0, 90] degrees");
+  require(disappearAngle >= appearAngle && disappearAngle <= 90., "disappearAngle", disappearAngle,
+          "in [appearAngle, 90] degrees");
+  require(nearDistance > 0., "nearDistance", nearDistance, "above 0 m");
+  require(farDistance == 0. || farDistance > nearDistance, "farDistance", farDistance, "0 or above nearDistance");
+  require(border >= 0., "border", border, "at least 0 pixels");
+  require(visibilitySize >= 16, "visibilitySize", visibilitySize, "at least 16 pixels");
+}
+
+vpModelView::vpModelView(const std::shared_ptr<const vpTrackedModel> &model)
+    : m_model(model), m_topology(std::make_shared<vpModelTopology>(*model))
+{
+}
+
+int vpModelView::edgeNames() const
+{
+  return vpCurves::names(*m_model);
+}
+
+void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
+                          unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer)
+{
+  m_points.clear();
+  m_contours.clear();
+  const vpViewCamera camera(cMo, cam, imageWidth, imageHeight);
+  findFacesSeen(*m_model, camera, options, m_facesSeen);
+
+  const bool hasDepth = renderer != nullptr && !m_model->isConvex();
+  if (hasDepth) {
+    vpRenderOptions depthOptions;
+    depthOptions.maxSize = options.visibilitySize;
+    depthOptions.scale = 0.5;
+    depthOptions.nearDistance = options.nearDistance;
+    renderer->render(cMo, cam, imageWidth, imageHeight, depthOptions, m_depth);
+  }
+  vpContourSampler sampler(*this, camera, options, hasDepth);
+  const vpCurves curves(*m_model, *m_topology, m_facesSeen, camera, options);
+  curves.addEdges(sampler);
+  curves.addLimbs(sampler);
+  curves.addCircles(sampler);
+  if (!m_model->smoothTriangles().empty()) {
+    vpRimTracer(*this, *m_topology, camera).trace(sampler);
+  }
+  m_hasSlidingRims = !m_model->smoothTriangles().empty() || !m_model->cylinders().empty();
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpRimTracer_h
+#define vpRimTracer_h
+
+#include "view/vpContourSampler.h"
+#include "view/vpModelTopology.h"
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  Follows the rims of curved faces: the curves where the interpolated corner normal is perpendicular to the line of
+  sight. A triangle has one straight bit of such a curve or none, and hands it on through the side that it leaves by, so
+  that curves come out whole and in order.
+*/
+class vpRimTracer
+{
+public:
+  vpRimTracer(vpModelView &view, const vpModelTopology &topology, const vpViewCamera &camera);
+
+  //! Gives every rim to \e sampler.
+  void trace(vpContourSampler &sampler);
+
+private:
+  struct Step
+  {
+    std::size_t triangle;
+    std::size_t side; //!< From this corner to the next one.
+  };
+
+  void computeFacing();
+  float facing(std::size_t triangle, std::size_t corner) const;
+  bool crosses(std::size_t triangle, std::size_t side) const;
+  bool hasRim(std::size_t triangle) const;
+  std::size_t otherSide(std::size_t triangle, std::size_t side) const;
+  bool advance(Step &step) const;
+  bool isConvexRim(std::size_t triangle) const;
+  void addPiece(vpContourSampler &sampler, std::size_t triangle, std::size_t entry, std::size_t exit) const;
+  void setEnd(vpModelView::Piece &piece, std::size_t end, std::size_t triangle, std::size_t side) const;
+  const vpModelTriangle &triangleAt(std::size_t index) const;
+
+  vpModelView &m_view;
+  const vpTrackedModel &m_model;
+  const vpModelTopology &m_topology;
+  const vpViewCamera &m_camera;
+};
+
+END_VISP_NAMESPACE
+#endif

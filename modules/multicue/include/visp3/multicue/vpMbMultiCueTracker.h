@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpMbMultiCueTracker_h
+#define vpMbMultiCueTracker_h
+
+#include <visp3/klt/vpKltOpencv.h>
+#include <visp3/mbt/vpMbTracker.h>
+#include <visp3/model/vpTrackedModelBuilder.h>
+#include <visp3/multicue/vpMultiCueSettings.h>
+#include <visp3/multicue/vpTrackingState.h>
+
+#include <memory>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  \ingroup group_multicue
+  Follows the pose of a known rigid object in a camera's images: takes the place of vpMbGenericTracker with one camera.
+
+  An existing program changes the class name and the header. Besides .cao and .wrl models, loadModel() takes meshes
+  (.obj .ply .stl .dae .gltf .glb), whose edges are found by themselves; hidden lines are always removed, curved
+  surfaces are tracked by their rims, and images of a camera with lens distortion are undistorted inside.
+
+  \snippet tutorial-multicue-tracker-minimal.cpp Tracker
+
+  Poses are \f${}^c{\bf M}_o\f$, object to camera, metres and radians; pixel centres are at integers. What an image
+  shows never makes track() throw, unless setThrowOnLoss() asks for it: getTrackingState() tells how it went. Wrong
+  arguments and files do throw, with a text that says what to do, and leave the tracker as it was.
+*/
+class VISP_EXPORT vpMbMultiCueTracker : public vpMbTracker
+{
+public:
+  //! Kinds of features, with the values of vpMbGenericTracker::vpTrackerType.
+  enum vpTrackerType
+  {
+    EDGE_TRACKER = 1 << 0, //!< Edges of the model.
+    KLT_TRACKER = 1 << 1   //!< Points on the surface.
+  };
+
+  //! Same as vpMbMultiCueTracker(EDGE_TRACKER).
+  vpMbMultiCueTracker();
+  //! \param type See setTrackerType().
+  explicit vpMbMultiCueTracker(int type);
+  ~vpMbMultiCueTracker() override;
+  vpMbMultiCueTracker(const vpMbMultiCueTracker &) = delete;
+  vpMbMultiCueTracker &operator=(const vpMbMultiCueTracker &) = delete;
+
+  /** @name Model */
+  //@{
+  /*!
+    Adds a file to the model, as ViSP's trackers do: several files make one object. reInitModel() and resetTracker() begin anew.
+    \param modelFile Path of a .cao, .wrl (metres), or mesh file (unit of setModelUnit()).
+    \param verbose Print the report of what was loaded.
+    \param odTo Pose of the file's frame in the object frame.
+    \throw vpException naming the file where it is missing, broken, empty, or of an unbelievable size.
+  */
+  void loadModel(const std::string &modelFile, bool verbose = false,
+                 const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix()) override;
+  /*!
+    Sets the unit of mesh files, for the next loadModel().
+    \param metresPerUnit 1 for metres (default), 0.01 for centimetres, 0.001 for millimetres; > 0.
+  */
+  void setModelUnit(double metresPerUnit);
+  //! Crease angle and limits of the believed size for the next loadModel(). \throw vpException naming what is out of
+  //! range.
+  void setModelOptions(const vpModelOptions &options);
+  const vpModelOptions &getModelOptions() const;
+  //! What was found in the model file. \throw vpException before loadModel().
+  const vpModelReport &getModelReport() const;
+  //! The model itself, null before loadModel().
+  std::shared_ptr<const vpTrackedModel> getModel() const;
+  //! Replaces the model by another one and starts it at a pose.
+  virtual void reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
+                           const vpHomogeneousMatrix &cMo, bool verbose = false,
+                           const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix());
+  virtual void reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
+                           bool verbose = false, const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix());
+  //@}
+
+  /** @name Tracking */
+  //@{
+  /*!
+    Starts at the current pose; the init functions of vpMbTracker end here.
+    \throw vpException where there is no model, the image is empty, or the pose is not finite, behind the camera or
+    outside the image; the pose before stays.
+  */
+  void init(const vpImage<unsigned char> &I) override;
+  //! Moves the tracker to another pose, as init() does.
+  void setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo) override;
+  void setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo) override;
+  /*!
+    Follows the object into the next image.
+    \throw vpException where no model was loaded, init() is missing, or the image's size is not that of init().
+  */
+  void track(const vpImage<unsigned char> &I) override;
+  void track(const vpImage<vpRGBa> &I_color) override;
+  //! How the last frame went; UNCERTAIN before the first one.
+  vpTrackingState getTrackingState() const;
+  //! \throw vpTrackingException where getTrackingState() is LOST, with the reason.
+  void testTracking() override;
+  //! Makes track() throw as testTracking() does, as ViSP's trackers do. Off by default.
+  void setThrowOnLoss(bool flag);
+  //! Forgets model, pose and all that was learnt; settings go back to their defaults.
+  void resetTracker() override;
+  //@}
+
+  /** @name Settings */
+  //@{
+  //! Reads an XML file of vpMbGenericTracker or a JSON file, see vpMultiCueSettingsReader.
+  void loadConfigFile(const std::string &configFile, bool verbose = true) override;
+  /*!
+    \param type Sum of vpTrackerType values. Edges do the work at present: KLT_TRACKER is accepted, alone too, so that
+    programs written for vpMbGenericTracker run, and adds nothing. \throw vpException for other values.
+  */
+  virtual void setTrackerType(int type);
+  virtual int getTrackerType() const;
+  virtual void setMovingEdge(const vpMe &me);
+  virtual vpMe getMovingEdge() const;
+  virtual void getMovingEdge(vpMe &me) const;
+  //! Likewise, with the scale of the threshold given: ViSP 3.5 has no name for it. \throw vpException naming what is
+  //! out of range.
+  void setMovingEdge(const vpMe &me, vpEdgeCueSettings::ThresholdScale scale);
+  void setEdgeSettings(const vpEdgeCueSettings &settings);
+  vpEdgeCueSettings getEdgeSettings() const;
+  virtual void setKltOpencv(const vpKltOpencv &klt);
+  virtual vpKltOpencv getKltOpencv() const;
+  virtual void setKltMaskBorder(const unsigned int &border);
+  virtual unsigned int getKltMaskBorder() const;
+  //! \param threshold Share of the control points that must be found for the state TRACKING, [0, 1], default 0.4.
+  virtual void setGoodMovingEdgesRatioThreshold(double threshold);
+  virtual double getGoodMovingEdgesRatioThreshold() const;
+  //! \param cam With or without distortion. \throw vpException where it is singular.
+  void setCameraParameters(const vpCameraParameters &cam) override;
+  void setLod(bool useLod, const std::string &name = "") override;
+  void setMinLineLengthThresh(double minLineLengthThresh, const std::string &name = "") override;
+  void setMinPolygonAreaThresh(double minPolygonAreaThresh, const std::string &name = "") override;
+  //! What draws the depth buffers that hide edges; AUTOMATIC by default.
+  void setRenderer(vpModelRenderer::Preference preference);
+  //@}
+
+  /** @name Results */
+  //@{
+  vpColVector getError() const override { return m_error; }
+  vpColVector getRobustWeights() const override { return m_w; }
+  //! Number of control points that were found in the last image and entered the pose.
+  virtual unsigned int getNbFeaturesEdge() const;
+  virtual unsigned int getNbFeaturesKlt() const { return 0; }
+  virtual unsigned int getNbFeaturesColor() const { return 0; }
+  //! As vpMbGenericTracker's: number of control points found and not refused. \param level Must be 0.
+  virtual unsigned int getNbPoints(unsigned int level = 0) const;
+  /*!
+    Mean angle between the image's gradient and the normals of the model's edges, degrees, 90 where nothing is seen.
+    ViSP's own measure for .cao and .wrl models, and the same taken over the control points for meshes.
+  */
+  double computeCurrentProjectionError(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo,
+                                       const vpCameraParameters &cam) override;
+  double computeCurrentProjectionError(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo,
+                                       const vpCameraParameters &cam);
+  //! Per feature: 0, row, column, state (vpMeSite::vpMeSiteState), in the image as it was taken.
+  virtual std::vector<std::vector<double>> getFeaturesForDisplay();
+  //! Per visible bit of line: 0, row and column of one end, row and column of the other.
+  std::vector<std::vector<double>> getModelForDisplay(unsigned int width, unsigned int height,
+                                                      const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
+                                                      bool displayFullModel = false) override;
+  void display(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
+               const vpColor &col, unsigned int thickness = 1, bool displayFullModel = false) override;
+  void display(const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
+               const vpColor &col, unsigned int thickness = 1, bool displayFullModel = false) override;
+  //@}
+
+protected:
+  void computeVVSInit() override;
+  void computeVVSInteractionMatrixAndResidu() override;
+  void initCircle(const vpPoint &, const vpPoint &, const vpPoint &, double, int = 0, const std::string & = "") override
+  {
+  }
+  void initCylinder(const vpPoint &, const vpPoint &, double, int = 0, const std::string & = "") override {}
+  void initFaceFromCorners(vpMbtPolygon &) override {}
+  void initFaceFromLines(vpMbtPolygon &) override {}
+
+private:
+  class Impl;
+
+  vpTrackedModelBuilder collect(const vpTrackedModelBuilder &before, const std::string &modelFile,
+                                const vpHomogeneousMatrix &odTo) const;
+  void takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded, const std::string &modelFile, bool verbose,
+                 const vpHomogeneousMatrix &odTo);
+  void updateDetails();
+  void replaceModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo);
+  void forgetPrimitives();
+  void start(unsigned int width, unsigned int height);
+  void requireTrackable(unsigned int width, unsigned int height) const;
+  void trackFrame(const vpCueFrame &frame);
+  bool computeVVS();
+  void computeStep(unsigned int iteration, bool allDegreesOfFreedom);
+  bool restrictToObserved();
+  void judge(const vpHomogeneousMatrix &cMoBefore, bool estimated);
+  void updateView(const vpCueFrame &frame);
+  const vpModelViewOptions &viewOptions() const;
+  void applySettings(const vpMultiCueSettings &settings);
+  vpMultiCueSettings currentSettings() const;
+  template <typename Pixel>
+  void displayOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
+                 const vpColor &col, unsigned int thickness, bool displayFullModel);
+
+  vpColVector m_error; // Of all rows, at the last iteration.
+  vpColVector m_w;     // Their robust weights.
+  vpMatrix m_L;        // Their interaction matrix.
+  std::unique_ptr<Impl> m_impl;
+};
+
+END_VISP_NAMESPACE
+#endif

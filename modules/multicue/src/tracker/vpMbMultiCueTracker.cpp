@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpTrackerState.h"
+
+#include <visp3/core/vpException.h>
+#include <visp3/core/vpImageConvert.h>
+#include <visp3/core/vpTrackingException.h>
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// When the pose moved the control points by more than this, normals and neighbourhoods have changed: match again.
+const double rematchMotion = 1.5; // Pixels.
+const unsigned int maxMatches = 3;
+
+bool isFinite(const vpHomogeneousMatrix &cMo)
+{
+  for (unsigned int i = 0; i < 16; ++i) {
+    if (!std::isfinite(cMo.data[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Mean motion of the view's control points between its pose and another one, pixels.
+double meanMotion(const vpModelView &view, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
+{
+  double sum = 0.;
+  for (const vpControlPoint &point : view.points()) {
+    const Eigen::Vector3d &X = point.position;
+    const double x = cMo[0][0] * X.x() + cMo[0][1] * X.y() + cMo[0][2] * X.z() + cMo[0][3];
+    const double y = cMo[1][0] * X.x() + cMo[1][1] * X.y() + cMo[1][2] * X.z() + cMo[1][3];
+    const double z = cMo[2][0] * X.x() + cMo[2][1] * X.y() + cMo[2][2] * X.z() + cMo[2][3];
+    sum += std::hypot(cam.get_px() * x / z + cam.get_u0() - point.pixel.x(),
+                      cam.get_py() * y / z + cam.get_v0() - point.pixel.y());
+  }
+  return view.points().empty() ? 0. : sum / static_cast<double>(view.points().size());
+}
+} // namespace
+
+vpMbMultiCueTracker::vpMbMultiCueTracker() : vpMbMultiCueTracker(EDGE_TRACKER)
+{
+}
+
+vpMbMultiCueTracker::vpMbMultiCueTracker(int type) : m_impl(std::make_unique<Impl>())
+{
+  setTrackerType(type);
+  m_impl->me.setRange(static_cast<unsigned int>(m_impl->edges.settings().range));
+}
+
+vpMbMultiCueTracker::~vpMbMultiCueTracker() = default;
+
+void vpMbMultiCueTracker::requireTrackable(unsigned int width, unsigned int height) const
+{
+  m_impl->requireModel();
+  if (width == 0 || height == 0) {
+    throw vpException(vpException::dimensionError, "The image is empty (%u x %u): give one with pixels", width, height);
+  }
+}
+
+void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
+{
+  requireTrackable(width, height);
+  const vpHomogeneousMatrix cMo = m_cMo;
+  m_cMo = m_impl->trusted; // Until the new pose has passed.
+  if (!isFinite(cMo)) {
+    throw vpException(vpException::badValue,
+                      "The initial pose is not finite (NaN or infinite values): check how it was computed");
+  }
+  const vpTrackedModel &model = *m_impl->model;
+  unsigned int inFront = 0;
+  double minU = HUGE_VAL, maxU = -HUGE_VAL, minV = HUGE_VAL, maxV = -HUGE_VAL;
+  for (unsigned int corner = 0; corner < 8; ++corner) {
+    const double x = ((corner & 1U) ? model.boxMax() : model.boxMin()).x();
+    const double y = ((corner & 2U) ? model.boxMax() : model.boxMin()).y();
+    const double z = ((corner & 4U) ? model.boxMax() : model.boxMin()).z();
+    const double cZ = cMo[2][0] * x + cMo[2][1] * y + cMo[2][2] * z + cMo[2][3];
+    if (cZ > 0.) {
+      ++inFront;
+      const double u =
+          m_cam.get_px() * (cMo[0][0] * x + cMo[0][1] * y + cMo[0][2] * z + cMo[0][3]) / cZ + m_cam.get_u0();
+      const double v =
+          m_cam.get_py() * (cMo[1][0] * x + cMo[1][1] * y + cMo[1][2] * z + cMo[1][3]) / cZ + m_cam.get_v0();
+      minU = std::min(minU, u);
+      maxU = std::max(maxU, u);
+      minV = std::min(minV, v);
+      maxV = std::max(maxV, v);
+    }
+  }
+  if (inFront == 0) {
+    throw vpException(
+        vpException::badValue,
+        "At the initial pose the object is behind the camera (z = %g m): poses map object to camera, z forward",
+        cMo[2][3]);
+  }
+  if (inFront == 8 && (maxU < 0. || maxV < 0. || minU > width - 1. || minV > height - 1.)) {
+    throw vpException(vpException::badValue,
+                      "At the initial pose the object (%g m wide) is outside the image: it projects to columns %.0f to "
+                      "%.0f, rows %.0f "
+                      "to %.0f of %u x %u; check pose, camera and the model's unit",
+                      model.diameter(), minU, maxU, minV, maxV, width, height);
+  }
+  m_cMo = cMo;
+  m_impl->trusted = cMo;
+  m_impl->width = width;
+  m_impl->height = height;
+  m_impl->forgetImages();
+  m_impl->state = vpTrackingState::UNCERTAIN;
+  m_impl->reason = "no image was tracked yet";
+}
+
+void vpMbMultiCueTracker::init(const vpImage<unsigned char> &I)
+{
+  start(I.getWidth(), I.getHeight());
+}
+
+void vpMbMultiCueTracker::setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo)
+{
+  m_cMo = cdMo;
+  start(I.getWidth(), I.getHeight());
+}
+
+void vpMbMultiCueTracker::setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo)
+{
+  m_cMo = cdMo;
+  start(I_color.getWidth(), I_color.getHeight());
+}
+
+void vpMbMultiCueTracker::track(const vpImage<unsigned char> &I)
+{
+  requireTrackable(I.getWidth(), I.getHeight());
+  trackFrame(m_impl->source.frame(I, m_cam, m_mask));
+  if (computeProjError) {
+    projectionError = computeCurrentProjectionError(I, m_cMo, m_cam);
+  }
+}
+
+void vpMbMultiCueTracker::track(const vpImage<vpRGBa> &I_color)
+{
+  requireTrackable(I_color.getWidth(), I_color.getHeight());
+  trackFrame(m_impl->source.frame(I_color, m_cam, m_mask));
+  if (computeProjError) {
+    projectionError = computeCurrentProjectionError(I_color, m_cMo, m_cam);
+  }
+}
+
+void vpMbMultiCueTracker::updateView(const vpCueFrame &frame)
+{
+  m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
+}
+
+void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
+{
+  if (m_impl->width == 0) {
+    throw vpException(vpException::notInitialized,
+                      "No initial pose: call initFromPose(), initClick() or initFromPoints() first");
+  }
+  if (frame.width() != m_impl->width || frame.height() != m_impl->height) {
+    throw vpException(vpException::dimensionError,
+                      "The image is %u x %u, the tracker was started with %u x %u: initialise again for another size",
+                      frame.width(), frame.height(), m_impl->width, m_impl->height);
+  }
+  const vpHomogeneousMatrix cMoBefore = m_cMo;
+  bool estimated = false;
+  for (unsigned int i = 0; i < maxMatches; ++i) {
+    updateView(frame);
+    m_impl->edges.match(frame, *m_impl->view);
+    estimated = computeVVS();
+    if (!estimated || meanMotion(*m_impl->view, m_cMo, frame.camera()) < rematchMotion) {
+      break;
+    }
+  }
+  judge(cMoBefore, estimated);
+  if (m_impl->throwOnLoss) {
+    testTracking();
+  }
+}
+
+void vpMbMultiCueTracker::judge(const vpHomogeneousMatrix &cMoBefore, bool estimated)
+{
+  Impl &impl = *m_impl;
+  impl.expected = static_cast<unsigned int>(impl.edges.matches().size());
+  impl.good = estimated ? static_cast<unsigned int>(
+                              std::count_if(impl.weights.begin(), impl.weights.end(), [](double w) { return w > 0.1; }))
+                        : 0;
+  const double ratio = impl.expected > 0 ? static_cast<double>(impl.good) / impl.expected : 0.;
+  if (estimated && ratio >= impl.goodRatio) {
+    impl.state = vpTrackingState::TRACKING;
+  } else if (estimated && ratio >= 0.5 * impl.goodRatio) {
+    impl.state = vpTrackingState::UNCERTAIN;
+  } else {
+    impl.state = vpTrackingState::LOST;
+  }
+  impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " control points support the pose";
+  if (impl.state == vpTrackingState::LOST) {
+    m_cMo = cMoBefore;
+    return;
+  }
+  impl.trusted = m_cMo;
+  impl.edges.updateReference(m_cMo, impl.weights);
+}
+
+vpTrackingState vpMbMultiCueTracker::getTrackingState() const
+{
+  return m_impl->state;
+}
+
+void vpMbMultiCueTracker::testTracking()
+{
+  if (m_impl->state == vpTrackingState::LOST) {
+    throw vpTrackingException(vpTrackingException::fatalError, "The object is lost: " + m_impl->reason);
+  }
+}
+
+void vpMbMultiCueTracker::setThrowOnLoss(bool flag)
+{
+  m_impl->throwOnLoss = flag;
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpGradientAngle.h"
+#include "tracker/vpTrackerState.h"
+
+#include <visp3/core/vpDisplay.h>
+#include <visp3/core/vpImageConvert.h>
+#include <visp3/core/vpMeterPixelConversion.h>
+
+#include <algorithm>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// Lines are drawn in bits of this length at the longest, so that hidden parts and lens distortion show.
+const double displayStep = 6.; // Pixels.
+
+// Where a pixel of the undistorted frame is in the image as it was taken.
+vpImagePoint toImage(const Eigen::Vector2d &pixel, const vpCameraParameters &cam)
+{
+  double u = pixel.x();
+  double v = pixel.y();
+  if (cam.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion) {
+    vpMeterPixelConversion::convertPoint(cam, (u - cam.get_u0()) / cam.get_px(), (v - cam.get_v0()) / cam.get_py(), u,
+                                         v);
+  }
+  return vpImagePoint(v, u);
+}
+
+vpColor colorOf(vpFeatureState state)
+{
+  switch (state) {
+  case vpFeatureState::GOOD:
+    return vpColor::green;
+  case vpFeatureState::CONTRAST:
+    return vpColor::blue;
+  case vpFeatureState::THRESHOLD:
+    return vpColor::purple;
+  case vpFeatureState::OUTLIER:
+    break;
+  }
+  return vpColor::red;
+}
+
+void addLine(std::vector<std::vector<double>> &lines, const vpImagePoint &from, const vpImagePoint &to)
+{
+  lines.push_back({0., from.get_i(), from.get_j(), to.get_i(), to.get_j()});
+}
+} // namespace
+
+unsigned int vpMbMultiCueTracker::getNbFeaturesEdge() const
+{
+  return m_impl->found;
+}
+
+unsigned int vpMbMultiCueTracker::getNbPoints(unsigned int level) const
+{
+  if (level != 0) {
+    throw vpException(vpException::badValue, "Level %u of the image pyramid is not used: ask for level 0", level);
+  }
+  return m_impl->good;
+}
+
+std::vector<std::vector<double>> vpMbMultiCueTracker::getFeaturesForDisplay()
+{
+  std::vector<vpCueFeature> features;
+  m_impl->edges.getFeatures(m_cMo, m_impl->weights, features);
+  std::vector<std::vector<double>> result;
+  result.reserve(features.size());
+  for (const vpCueFeature &feature : features) {
+    const vpImagePoint point = toImage(Eigen::Vector2d(feature.u, feature.v), m_cam);
+    result.push_back({0., point.get_i(), point.get_j(), static_cast<double>(feature.state)});
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> vpMbMultiCueTracker::getModelForDisplay(unsigned int width, unsigned int height,
+                                                                         const vpHomogeneousMatrix &cMo,
+                                                                         const vpCameraParameters &cam,
+                                                                         bool displayFullModel)
+{
+  m_impl->requireModel();
+  if (!m_impl->displayView) {
+    m_impl->displayView = std::make_unique<vpModelView>(*m_impl->view);
+  }
+  vpModelViewOptions options = viewOptions();
+  options.sampleStep = displayStep;
+  options.border = 0.;
+  options.allEdges = displayFullModel;
+  vpModelView &view = *m_impl->displayView;
+  view.compute(cMo, cam, width, height, options, displayFullModel ? nullptr : m_impl->renderer.get());
+
+  std::vector<std::vector<double>> lines;
+  lines.reserve(view.points().size());
+  for (const vpContour &contour : view.contours()) {
+    for (int i = 0; i < contour.count; ++i) {
+      // Each control point stands for half a step of its line on either side.
+      const vpControlPoint &point = view.points()[static_cast<std::size_t>(contour.first + i)];
+      const Eigen::Vector2d along = 0.5 * contour.step * Eigen::Vector2d(-point.normal.y(), point.normal.x());
+      addLine(lines, toImage(point.pixel - along, cam), toImage(point.pixel + along, cam));
+    }
+  }
+  return lines;
+}
+
+template <typename Pixel>
+void vpMbMultiCueTracker::displayOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cMo,
+                                    const vpCameraParameters &cam, const vpColor &col, unsigned int thickness,
+                                    bool displayFullModel)
+{
+  for (const std::vector<double> &line : getModelForDisplay(I.getWidth(), I.getHeight(), cMo, cam, displayFullModel)) {
+    vpDisplay::displayLine(I, vpImagePoint(line[1], line[2]), vpImagePoint(line[3], line[4]), col, thickness);
+  }
+  if (displayFeatures) {
+    for (const std::vector<double> &feature : getFeaturesForDisplay()) {
+      vpDisplay::displayCross(I, vpImagePoint(feature[1], feature[2]), 3,
+                              colorOf(static_cast<vpFeatureState>(static_cast<int>(feature[3]))), 1);
+    }
+  }
+}
+
+void vpMbMultiCueTracker::display(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo,
+                                  const vpCameraParameters &cam, const vpColor &col, unsigned int thickness,
+                                  bool displayFullModel)
+{
+  displayOn(I, cMo, cam, col, thickness, displayFullModel);
+}
+
+void vpMbMultiCueTracker::display(const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo,
+                                  const vpCameraParameters &cam, const vpColor &col, unsigned int thickness,
+                                  bool displayFullModel)
+{
+  displayOn(I, cMo, cam, col, thickness, displayFullModel);
+}
+
+double vpMbMultiCueTracker::computeCurrentProjectionError(const vpImage<unsigned char> &I,
+                                                          const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
+{
+  m_impl->requireModel();
+  if (!m_impl->hasMesh) {
+    return vpMbTracker::computeCurrentProjectionError(I, cMo, cam);
+  }
+  vpModelView view(*m_impl->view);
+  view.compute(cMo, cam, I.getWidth(), I.getHeight(), viewOptions(), m_impl->renderer.get());
+  return vpGradientAngle::mean(I, view, cam);
+}
+
+double vpMbMultiCueTracker::computeCurrentProjectionError(const vpImage<vpRGBa> &I_color,
+                                                          const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
+{
+  vpImageConvert::convert(I_color, m_I);
+  return computeCurrentProjectionError(m_I, cMo, cam);
+}
+
+END_VISP_NAMESPACE

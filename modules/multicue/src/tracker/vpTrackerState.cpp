@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tracker/vpTrackerState.h"
+
+#include <visp3/core/vpException.h>
+
+BEGIN_VISP_NAMESPACE
+
+const char *toString(vpTrackingState state)
+{
+  switch (state) {
+  case vpTrackingState::TRACKING:
+    return "TRACKING";
+  case vpTrackingState::UNCERTAIN:
+    return "UNCERTAIN";
+  case vpTrackingState::LOST:
+    break;
+  }
+  return "LOST";
+}
+
+const vpTrackedModel &vpMbMultiCueTracker::Impl::requireModel() const
+{
+  if (!model) {
+    throw vpException(vpException::notInitialized, "No model: call loadModel() first");
+  }
+  return *model;
+}
+
+void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
+{
+  model = std::make_shared<const vpTrackedModel>(std::move(loaded));
+  view = std::make_unique<vpModelView>(model);
+  displayView.reset();
+  makeRenderer();
+  forgetImages();
+  width = 0;
+  height = 0;
+  state = vpTrackingState::UNCERTAIN;
+}
+
+void vpMbMultiCueTracker::Impl::makeRenderer()
+{
+  // The depth buffer only tells what hides what: a convex object needs none.
+  renderer = model && !model->isConvex() ? vpModelRenderer::create(model, preference) : nullptr;
+}
+
+void vpMbMultiCueTracker::Impl::forgetImages()
+{
+  edges.reset();
+  block.rows.clear();
+  weights.clear();
+  expected = 0;
+  found = 0;
+  good = 0;
+}
+
+END_VISP_NAMESPACE

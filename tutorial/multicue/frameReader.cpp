@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "frameReader.h"
+
+#include "filePattern.h"
+
+#include <visp3/core/vpException.h>
+#include <visp3/core/vpImageConvert.h>
+#include <visp3/io/vpImageIo.h>
+
+#include <opencv2/videoio.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace {
+[[noreturn]] void fail(const std::string &text)
+{
+  throw vpException(vpException::ioError, text);
+}
+
+class ImageFiles : public FrameReader
+{
+public:
+  explicit ImageFiles(const TrackerOptions &options)
+      : m_files(FilePattern(options.images).existing()), m_step(options.step)
+  {
+    m_files.erase(m_files.begin(), m_files.lower_bound(options.first));
+    if (options.last >= 0) {
+      m_files.erase(m_files.upper_bound(options.last), m_files.end());
+    }
+    if (m_files.empty()) {
+      fail("--images " + options.images + ": there is no such file between --first and --last");
+    }
+    m_next = m_files.begin();
+  }
+
+  bool next(vpImage<vpRGBa> &I) override
+  {
+    if (m_next == m_files.end()) {
+      return false;
+    }
+    vpImageIo::read(I, m_next->second);
+    m_number = m_next->first;
+    for (int i = 0; i < m_step && m_next != m_files.end(); i++) {
+      ++m_next;
+    }
+    return true;
+  }
+
+  int last() const override { return m_files.rbegin()->first; }
+
+private:
+  std::map<int, std::string> m_files;
+  std::map<int, std::string>::const_iterator m_next;
+  int m_step;
+};
+
+// A video file or a camera. Frames are skipped one by one, since seeking is not exact in most formats.
+class VideoFrames : public FrameReader
+{
+public:
+  explicit VideoFrames(const TrackerOptions &options)
+      : m_skip(std::max(options.first, 0)), m_step(options.step), m_last(options.last)
+  {
+    if (options.camera >= 0) {
+      m_capture.open(options.camera);
+    } else {
+      m_capture.open(options.video);
+    }
+    if (!m_capture.isOpened()) {
+      fail(options.camera >= 0 ? "--camera " + std::to_string(options.camera) + ": there is no such camera"
+                               : "--video " + options.video + ": no such file, or no video that OpenCV reads");
+    }
+    const int count = options.camera >= 0 ? 0 : static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_COUNT));
+    if (count > 0 && (m_last < 0 || m_last >= count)) {
+      m_last = count - 1;
+    }
+  }
+
+  bool next(vpImage<vpRGBa> &I) override
+  {
+    cv::Mat frame;
+    for (; m_skip > 0; m_skip--, m_number++) {
+      if (!m_capture.grab()) {
+        return false;
+      }
+    }
+    if ((m_last >= 0 && m_number >= m_last) || !m_capture.read(frame)) {
+      return false;
+    }
+    m_number++;
+    m_skip = m_step - 1;
+    vpImageConvert::convert(frame, I);
+    return true;
+  }
+
+  int last() const override { return m_last; }
+  double framesPerSecond() const override { return m_capture.get(cv::CAP_PROP_FPS); }
+
+private:
+  cv::VideoCapture m_capture;
+  int m_skip;
+  int m_step;
+  int m_last;
+};
+} // namespace
+
+std::unique_ptr<FrameReader> openFrames(const TrackerOptions &options)
+{
+  if (!options.images.empty()) {
+    return std::make_unique<ImageFiles>(options);
+  }
+  return std::make_unique<VideoFrames>(options);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef trackingLog_h
+#define trackingLog_h
+
+#include <visp3/core/vpHomogeneousMatrix.h>
+#include <visp3/multicue/vpTrackingState.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
+//! What is known of a frame after it was tracked.
+struct TrackedFrame
+{
+  int number;
+  vpHomogeneousMatrix cMo;
+  double milliseconds;
+  vpTrackingState state;
+};
+
+//! Writes the poses while the program runs, and a summary at the end.
+class TrackingLog
+{
+public:
+  /*!
+    \param posesFile CSV file, empty for none.
+    \param summaryFile Text file, empty for none.
+    \throw vpException naming the file that cannot be written.
+  */
+  TrackingLog(const std::string &posesFile, const std::string &summaryFile);
+
+  //! Adds a frame.
+  void add(const TrackedFrame &frame);
+
+  //! \param degrees See vpMbTracker::computeCurrentProjectionError().
+  void addProjectionError(double degrees) { m_projectionErrors.push_back(degrees); }
+
+  //! \return The summary as text, one "name: value" a line.
+  std::string summary() const;
+
+  //! Writes the summary. \throw vpException naming a file that could not be written to its end.
+  void finish();
+
+private:
+  std::string m_posesFile;
+  std::string m_summaryFile;
+  std::ofstream m_poses;
+  std::ofstream m_summary;
+  std::vector<double> m_milliseconds;
+  std::vector<double> m_projectionErrors;
+  std::map<vpTrackingState, int> m_states;
+};
+
+#endif
