@@ -2,60 +2,14 @@
 // Polygons, lines, cylinders and circles as ViSP's model files have them.
 #include <catchMain.h>
 
+#include "modelChecks.h"
 #include "modelShapes.h"
 
 #include <visp3/core/vpException.h>
 
-#include <limits>
-#include <sstream>
-
-#ifdef ENABLE_VISP_NAMESPACE
-using namespace VISP_NAMESPACE_NAME;
-#endif
-
-namespace {
+using modelChecks::surfaceArea;
+using modelChecks::worstNormalAgreement;
 using modelShapes::Point;
-
-double surfaceArea(const vpTrackedModel &model, int face = -1)
-{
-  double area = 0.;
-  for (const vpModelTriangle &triangle : model.triangles()) {
-    const Point &a = model.vertices()[static_cast<std::size_t>(triangle.vertex[0])];
-    const Point &b = model.vertices()[static_cast<std::size_t>(triangle.vertex[1])];
-    const Point &c = model.vertices()[static_cast<std::size_t>(triangle.vertex[2])];
-    area += face < 0 || triangle.face == face ? 0.5 * (b - a).cross(c - a).norm() : 0.;
-  }
-  return area;
-}
-
-//! Smallest cosine between a triangle's normal by its corners, its corner normals and its face's normal.
-double worstNormalAgreement(const vpTrackedModel &model)
-{
-  double worst = 1.;
-  for (const vpModelTriangle &triangle : model.triangles()) {
-    const Point &a = model.vertices()[static_cast<std::size_t>(triangle.vertex[0])];
-    const Point &b = model.vertices()[static_cast<std::size_t>(triangle.vertex[1])];
-    const Point &c = model.vertices()[static_cast<std::size_t>(triangle.vertex[2])];
-    const Point normal = (b - a).cross(c - a).normalized();
-    const vpModelFace &face = model.faces()[static_cast<std::size_t>(triangle.face)];
-    worst = std::min(worst, face.planar ? normal.dot(face.normal) : 1.);
-    for (const int corner : triangle.normal) {
-      worst = std::min(worst, normal.dot(model.normals()[static_cast<std::size_t>(corner)]));
-    }
-  }
-  return worst;
-}
-
-std::string messageOf(const vpTrackedModelBuilder &builder)
-{
-  try {
-    builder.build("thing.cao");
-  } catch (const vpException &e) {
-    return e.what();
-  }
-  return "";
-}
-} // namespace
 
 TEST_CASE("A cube of polygons")
 {
@@ -247,66 +201,4 @@ TEST_CASE("A circle is a face without triangles")
   CHECK(builder.build("circle on a box").isConvex());
   builder.addCircle(Point(0, 0, 0.06), Point(0.01, 0, 0.06), Point(0, 0.01, 0.06), 0.04);
   CHECK_FALSE(builder.build("circle over a box").isConvex());
-}
-
-TEST_CASE("What cannot be tracked is refused with a reason")
-{
-  vpTrackedModelBuilder builder;
-  CHECK_THAT(messageOf(builder), ContainsSubstring("thing.cao") && ContainsSubstring("empty"));
-  CHECK_THROWS_AS(builder.addCylinder(Point(0, 0, 0), Point(0, 0, 1), 0.), vpException);
-  CHECK_THROWS_AS(builder.addCircle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), -1.), vpException);
-  SECTION("collinear points of a circle")
-  {
-    builder.addCircle(Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0), 1., "ring", 4);
-    CHECK_THAT(messageOf(builder), ContainsSubstring("circle 4 'ring'"));
-  }
-  SECTION("cylinder without length")
-  {
-    builder.addCylinder(Point(0, 0, 1), Point(0, 0, 1), 1., "", 5);
-    CHECK_THAT(messageOf(builder), ContainsSubstring("cylinder 5"));
-  }
-  SECTION("not a number")
-  {
-    builder.addFace({Point(0, 0, 0), Point(1, 0, 0), Point(1, std::numeric_limits<double>::quiet_NaN(), 0)}, "lid", 6);
-    CHECK_THAT(messageOf(builder), ContainsSubstring("polygon 6 'lid'") && ContainsSubstring("finite"));
-  }
-  SECTION("nothing left")
-  {
-    builder.addLine(Point(0, 0, 0), Point(0, 0, 0));
-    CHECK_THROWS_AS(builder.build("thing.cao"), vpException);
-  }
-}
-
-TEST_CASE("Options out of range are named")
-{
-  const auto message = [](double vpModelOptions::*member, double value) -> std::string {
-    vpModelOptions options;
-    options.*member = value;
-    try {
-      const vpTrackedModelBuilder builder(options);
-    } catch (const vpException &e) {
-      return e.what();
-    }
-    return "";
-  };
-  CHECK(message(&vpModelOptions::creaseAngle, 60.).empty());
-  CHECK_THAT(message(&vpModelOptions::unit, 0.), ContainsSubstring("unit"));
-  CHECK_THAT(message(&vpModelOptions::unit, std::numeric_limits<double>::quiet_NaN()), ContainsSubstring("unit"));
-  CHECK_THAT(message(&vpModelOptions::creaseAngle, 180.), ContainsSubstring("creaseAngle"));
-  CHECK_THAT(message(&vpModelOptions::weldTolerance, 0.1), ContainsSubstring("weldTolerance"));
-  CHECK_THAT(message(&vpModelOptions::minSize, -1.), ContainsSubstring("minSize"));
-  CHECK_THAT(message(&vpModelOptions::maxSize, 1e-4), ContainsSubstring("maxSize"));
-}
-
-TEST_CASE("The report says what the model is in a readable unit")
-{
-  std::vector<modelShapes::Polygon> polygons = modelShapes::boxPolygons(Point(0.165, 0.068, 0.08), Point(0., 0., 2.));
-  std::reverse(polygons[0].begin(), polygons[0].end());
-  std::ostringstream text;
-  text.precision(1);
-  text << modelShapes::build(polygons, vpModelOptions(), "box.cao").report();
-  CHECK_THAT(text.str(), ContainsSubstring("box.cao") && ContainsSubstring("16.5 x 6.8 x 8 cm"));
-  CHECK_THAT(text.str(), ContainsSubstring("8 vertices") && ContainsSubstring("12 edges"));
-  CHECK_THAT(text.str(), ContainsSubstring("(0, 0, 200) cm") && ContainsSubstring("outside the object"));
-  CHECK_THAT(text.str(), ContainsSubstring("1 polygon is wound against"));
 }

@@ -6,10 +6,6 @@
 #include <visp3/core/vpException.h>
 #include <visp3/model/vpModelReader.h>
 
-#ifdef ENABLE_VISP_NAMESPACE
-using namespace VISP_NAMESPACE_NAME;
-#endif
-
 namespace {
 using meshFiles::Triangles;
 using modelShapes::Point;

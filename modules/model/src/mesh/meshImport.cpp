@@ -30,6 +30,11 @@ Eigen::Affine3d toEigen(const aiMatrix4x4 &m)
   return result;
 }
 
+Eigen::Vector3f toEigen(const aiColor4D &color)
+{
+  return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
+}
+
 //! From the file's coordinates to those of the builder.
 Eigen::Affine3d toBuilder(const vpHomogeneousMatrix &oMm, double unit, double builderUnit)
 {
@@ -104,8 +109,7 @@ private:
         static_cast<double>(position.z);
     corner.color = material.color;
     if (mesh.HasVertexColors(0)) {
-      const aiColor4D &color = mesh.mColors[0][vertex];
-      corner.color << color.r, color.g, color.b;
+      corner.color = toEigen(mesh.mColors[0][vertex]);
     }
     if (material.image >= 0) {
       // The importers give v upwards, whatever the file has.
@@ -134,7 +138,7 @@ private:
     // What assimp makes up where a file has no materials says nothing about the object.
     if (std::string(name.C_Str()) != AI_DEFAULT_MATERIAL_NAME &&
         material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS) {
-      result.color << color.r, color.g, color.b;
+      result.color = toEigen(color);
     }
     aiString path;
     if (mesh.HasTextureCoords(0) && material.GetTexture(aiTextureType_DIFFUSE, 0, &path) == AI_SUCCESS) {

@@ -52,10 +52,10 @@ void writeCounts(std::ostream &text, const vpModelReport &report)
   text << "; " << (report.closed ? "closed" : "open") << ", " << (report.convex ? "convex" : "not convex") << "\n";
 }
 
-void warn(std::ostream &text, std::size_t number, const std::string &one, const std::string &many)
+void tell(std::ostream &text, const char *weight, std::size_t number, const std::string &one, const std::string &many)
 {
   if (number > 0) {
-    text << "  warning: " << count(number, one, many) << "\n";
+    text << "  " << weight << ": " << count(number, one, many) << "\n";
   }
 }
 } // namespace
@@ -70,16 +70,18 @@ std::ostream &operator<<(std::ostream &os, const vpModelReport &report)
   if (report.centreOffset.norm() > report.diameter) {
     text << "  warning: the origin is outside the object, farther from its centre than the object is wide\n";
   }
-  warn(text, report.flippedTriangles, "triangle was turned over", "triangles were turned over");
-  warn(text, report.flippedFaces, "polygon is wound against its neighbours",
+  tell(text, "warning", report.flippedTriangles, "triangle was turned over", "triangles were turned over");
+  tell(text, "warning", report.flippedFaces, "polygon is wound against its neighbours",
        "polygons are wound against their neighbours");
-  warn(text, report.degenerateTriangles, "triangle without area was dropped", "triangles without area were dropped");
-  warn(text, report.duplicateTriangles, "triangle was there twice", "triangles were there twice");
-  warn(text, report.weldedVertices, "vertex was moved onto a close one", "vertices were moved onto a close one");
-  warn(text, report.holes, "hole", "holes");
-  warn(text, report.borderEdges, "border edge", "border edges");
-  warn(text, report.nonManifoldEdges, "edge with more than two faces", "edges with more than two faces");
-  warn(text, report.missingImages, "texture image could not be read", "texture images could not be read");
+  tell(text, "warning", report.degenerateTriangles, "triangle without area was dropped",
+       "triangles without area were dropped");
+  tell(text, "warning", report.duplicateTriangles, "triangle was there twice", "triangles were there twice");
+  tell(text, "note", report.weldedVertices, "vertex was moved onto a close one",
+       "vertices were moved onto a close one");
+  tell(text, "warning", report.holes, "hole", "holes");
+  tell(text, "warning", report.borderEdges, "border edge", "border edges");
+  tell(text, "warning", report.nonManifoldEdges, "edge with more than two faces", "edges with more than two faces");
+  tell(text, "warning", report.missingImages, "texture image could not be read", "texture images could not be read");
   return os << text.str();
 }
 END_VISP_NAMESPACE
