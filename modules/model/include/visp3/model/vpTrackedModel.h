@@ -24,7 +24,7 @@ struct vpModelFace
   std::string name;                                 //!< Name in the model file, may be empty.
   int polygon = -1;                                 //!< Index of the polygon in the model file, -1 for a mesh.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); //!< Unit outward normal, object frame; mean one if not planar.
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); //!< Mean of the corners, object frame, metres.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); //!< Mean of a polygon's corners, centroid of a mesh face; metres.
   bool planar = true;                               //!< True where one normal serves the whole face.
   bool oriented = true;                             //!< True where the back of the face can never be seen.
   std::vector<int> corners;                         //!< Vertices in order, for a planar face of a .cao or .wrl file.
@@ -36,6 +36,7 @@ struct vpModelEdge
   std::array<int, 2> vertex = {{-1, -1}}; //!< Its ends.
   int firstFace = 0;                      //!< Where its faces start in vpTrackedModel::edgeFaces().
   int faceCount = 0;                      //!< Number of faces that share it; 0: a line in space, seen from all sides.
+  int line = -1; //!< A face without triangles that carries the name and polygon index of a line, -1 for other edges.
 };
 
 /*! \ingroup group_model_geometry A triangle of the surface. */
@@ -63,11 +64,16 @@ struct vpModelCircle
   int face = -1;                                    //!< A face without triangles that carries name and polygon index.
 };
 
-/*! \ingroup group_model_geometry Colours of the surface; every vector is empty where the file has none. */
+/*!
+  \ingroup group_model_geometry
+  Colours of the surface; every vector is empty where the file has none. Where a triangle has an image, the image alone
+  gives its colour.
+*/
 struct vpModelAppearance
 {
   std::vector<std::array<Eigen::Vector3f, 3>> color;   //!< Per triangle and corner: red, green, blue in [0, 1].
-  std::vector<std::array<Eigen::Vector2f, 3>> texture; //!< Per triangle and corner: u right, v down, in [0, 1].
+  std::vector<std::array<Eigen::Vector2f, 3>> texture; //!< Per triangle and corner: u right, v down, from 0 at the
+                                                       //!< image's first pixel to 1; beyond 1 the image repeats.
   std::vector<int> image;                              //!< Per triangle: index into images, -1 for none.
   std::vector<vpImage<vpRGBa>> images;                 //!< Texture images.
 };
@@ -86,14 +92,16 @@ struct vpModelReport
   std::size_t edges = 0; //!< Straight edges that are tracked.
   std::size_t cylinders = 0;
   std::size_t circles = 0;
-  std::size_t weldedVertices = 0;      //!< Vertices that fell together with another one.
+  std::size_t weldedVertices = 0;      //!< Positions that fell together with a slightly different one.
   std::size_t degenerateTriangles = 0; //!< Triangles without area that were dropped.
+  std::size_t duplicateTriangles = 0;  //!< Triangles with the same three vertices as another one that were dropped.
   std::size_t flippedTriangles = 0;    //!< Triangles turned over because their neighbours disagreed.
   std::size_t flippedFaces = 0;     //!< Polygons of a .cao or .wrl wound against a neighbour (reported, not changed).
-  std::size_t borderEdges = 0;      //!< Edges with one triangle only.
-  std::size_t holes = 0;            //!< Closed loops of border edges.
-  std::size_t nonManifoldEdges = 0; //!< Edges with more than two triangles.
-  bool closed = false;              //!< No border edges.
+  std::size_t borderEdges = 0;      //!< Edges with one triangle, or one polygon, only.
+  std::size_t holes = 0;            //!< Closed loops of a mesh's border edges.
+  std::size_t nonManifoldEdges = 0; //!< Edges with more than two triangles, or polygons.
+  std::size_t missingImages = 0;    //!< Texture images that the file names and that could not be read.
+  bool closed = false;              //!< A surface without border edges.
   bool convex = false;              //!< Nothing of the object can hide another part of it.
 };
 
