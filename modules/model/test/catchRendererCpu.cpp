@@ -277,7 +277,8 @@ TEST_CASE("A crop keeps its largest size", "[renderer]")
     const int side = std::max(view.width, view.height);
     CHECK(side <= static_cast<int>(options.maxSize));
     CHECK(side > 0.9 * std::min(side, static_cast<int>(options.maxSize)) - 3.);
-    CHECK(worstPlaneError(view, cMo, cam) < 1e-5);
+    // Corners are rounded to 1/1024 pixel, which is long where the whole object has a few pixels.
+    CHECK(worstPlaneError(view, cMo, cam) < 1e-3);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #ifdef MODEL_TESTS_HAVE_EGL
 #include <EGL/egl.h>
+#include <EGL/eglext.h>
 #endif
 
 #include <cstdlib>
@@ -118,7 +119,7 @@ void compareRenderers(const ModelPointer &model, double scale)
     object += difference.object;
     silhouette += difference.silhouette;
   }
-  CHECK(object > 24000 * scale * scale);
+  CHECK(static_cast<double>(object) > 24000. * scale * scale);
   CHECK(surface > object / 3);
   CHECK(static_cast<double>(silhouette) < 0.005 * static_cast<double>(object));
 }
@@ -247,20 +248,34 @@ TEST_CASE("create() takes EGL where it is asked for, and a GPU alone by itself",
 }
 
 #ifdef MODEL_TESTS_HAVE_EGL
+namespace {
+EGLDisplay openApplicationDisplay()
+{
+  EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  if (!eglInitialize(display, nullptr, nullptr)) {
+    display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+  }
+  return eglInitialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
+}
+} // namespace
+
 TEST_CASE("The application's own EGL context stays current", "[renderer][egl]")
 {
   const ModelPointer box = makeBox(0.1, 0.08, 0.06);
   std::unique_ptr<vpEglRenderer> egl = makeEgl(box);
   CHECK(eglGetCurrentContext() == EGL_NO_CONTEXT);
 
-  const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  const EGLDisplay display = openApplicationDisplay();
+  if (display == EGL_NO_DISPLAY) {
+    WARN("There is no display for an application's context here");
+    return;
+  }
   EGLint count = 0;
   EGLConfig config = nullptr;
   const EGLint configAttributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES2_BIT,
                                      EGL_NONE};
   const EGLint surfaceAttributes[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
   const EGLint contextAttributes[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
-  REQUIRE(eglInitialize(display, nullptr, nullptr));
   REQUIRE(eglBindAPI(EGL_OPENGL_ES_API));
   REQUIRE(eglChooseConfig(display, configAttributes, &config, 1, &count));
   REQUIRE(count == 1);

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <utility>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
-constexpr int subPixelBits = 8;
-constexpr std::int32_t subPixels = 1 << subPixelBits;
+constexpr int subPixelBits = vpScreenVertex::subPixelBits;
+constexpr std::int32_t subPixels = vpScreenVertex::subPixels;
 //! Triangles up to this extent are tested pixel by pixel in 32 bits.
 constexpr std::int32_t smallExtent = 12 * subPixels;
 
@@ -36,22 +36,23 @@ struct Triangle
   int bottom;
   bool small;
   bool empty;
+  bool fromBehind; //!< Seen from the side where its corners go clockwise.
 
   Triangle(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c, const vpFillTarget &target)
       : corner({{&a, &b, &c}})
   {
-    const std::int32_t minX = std::min(std::min(a.fixedX, b.fixedX), c.fixedX);
-    const std::int32_t maxX = std::max(std::max(a.fixedX, b.fixedX), c.fixedX);
-    const std::int32_t minY = std::min(std::min(a.fixedY, b.fixedY), c.fixedY);
-    const std::int32_t maxY = std::max(std::max(a.fixedY, b.fixedY), c.fixedY);
+    const std::int32_t minX = std::min(std::min(a.x, b.x), c.x);
+    const std::int32_t maxX = std::max(std::max(a.x, b.x), c.x);
+    const std::int32_t minY = std::min(std::min(a.y, b.y), c.y);
+    const std::int32_t maxY = std::max(std::max(a.y, b.y), c.y);
     left = std::max(firstPixel(minX), 0);
     right = std::min(lastPixel(maxX), target.width - 1);
     top = std::max(firstPixel(minY), 0);
     bottom = std::min(lastPixel(maxY), target.height - 1);
     small = maxX - minX <= smallExtent && maxY - minY <= smallExtent;
-    const std::int64_t area = std::int64_t(b.fixedX - a.fixedX) * (c.fixedY - a.fixedY) -
-                              std::int64_t(c.fixedX - a.fixedX) * (b.fixedY - a.fixedY);
+    const std::int64_t area = std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
     empty = left > right || top > bottom || area == 0;
+    fromBehind = area > 0;
     if (area < 0) {
       std::swap(corner[1], corner[2]);
     }
@@ -70,45 +71,48 @@ template <class Integer> struct Edge
 
   Edge(const vpScreenVertex &from, const vpScreenVertex &to, int left, int top)
   {
-    const Integer dx = to.fixedX - from.fixedX;
-    const Integer dy = to.fixedY - from.fixedY;
+    const Integer dx = to.x - from.x;
+    const Integer dy = to.y - from.y;
     const bool ownsItsPoints = dy < 0 || (dy == 0 && dx > 0);
     perColumn = -dy * subPixels;
     perRow = dx * subPixels;
-    first = dx * (top * subPixels - from.fixedY) - dy * (left * subPixels - from.fixedX) - (ownsItsPoints ? 0 : 1);
+    first = dx * (top * subPixels - from.y) - dy * (left * subPixels - from.x) - (ownsItsPoints ? 0 : 1);
   }
 };
 
-//! Inverse depth over the image: a linear function, held between the corners' values.
+/*!
+  Inverse depth over the image: a linear function, held between the corners' values.
+
+  At a silhouette edge the back of an object has the depth of its front. Backs are moved away by more than the rounding
+  of floats, so that fronts win there.
+*/
 struct DepthPlane
 {
-  double perColumn = 0.;
-  double perRow = 0.;
+  double perColumn;
+  double perRow;
   double atOrigin;
   float lowest;
   float highest;
 
-  explicit DepthPlane(const std::array<const vpScreenVertex *, 3> &corner)
+  explicit DepthPlane(const Triangle &triangle)
   {
-    const vpScreenVertex &a = *corner[0];
-    const vpScreenVertex &b = *corner[1];
-    const vpScreenVertex &c = *corner[2];
+    constexpr double backwards = 1. - 1e-6;
+    const vpScreenVertex &a = *triangle.corner[0];
+    const vpScreenVertex &b = *triangle.corner[1];
+    const vpScreenVertex &c = *triangle.corner[2];
     const double bx = b.x - a.x;
     const double by = b.y - a.y;
     const double cx = c.x - a.x;
     const double cy = c.y - a.y;
-    const double area = bx * cy - cx * by;
-    // A triangle that is seen edge-on has no slope that could be computed; its depths are the corners'.
-    if (std::abs(area) > 1e-12) {
-      const double db = b.inverse - a.inverse;
-      const double dc = c.inverse - a.inverse;
-      const double scale = 1. / area;
-      perColumn = (db * cy - dc * by) * scale;
-      perRow = (dc * bx - db * cx) * scale;
-    }
-    atOrigin = a.inverse - perColumn * a.x - perRow * a.y;
-    lowest = static_cast<float>(std::min(std::min(a.inverse, b.inverse), c.inverse));
-    highest = static_cast<float>(std::max(std::max(a.inverse, b.inverse), c.inverse));
+    const double factor = triangle.fromBehind ? backwards : 1.;
+    const double perArea = factor * subPixels / (bx * cy - cx * by);
+    const double db = b.inverse - a.inverse;
+    const double dc = c.inverse - a.inverse;
+    perColumn = (db * cy - dc * by) * perArea;
+    perRow = (dc * bx - db * cx) * perArea;
+    atOrigin = factor * a.inverse - (perColumn * a.x + perRow * a.y) / subPixels;
+    lowest = static_cast<float>(factor * std::min(std::min(a.inverse, b.inverse), c.inverse));
+    highest = static_cast<float>(factor * std::max(std::max(a.inverse, b.inverse), c.inverse));
   }
 
   float at(int x, int y) const { return static_cast<float>(atOrigin + perRow * y + perColumn * x); }
@@ -120,7 +124,7 @@ template <bool WithTriangle> void fillSmall(const Triangle &t, int index, const 
   const Edge<std::int32_t> ab(*t.corner[0], *t.corner[1], t.left, t.top);
   const Edge<std::int32_t> bc(*t.corner[1], *t.corner[2], t.left, t.top);
   const Edge<std::int32_t> ca(*t.corner[2], *t.corner[0], t.left, t.top);
-  const DepthPlane plane(t.corner);
+  const DepthPlane plane(t);
   const float perColumn = static_cast<float>(plane.perColumn);
   for (int y = t.top; y <= t.bottom; ++y) {
     const int row = y - t.top;
@@ -170,7 +174,7 @@ template <bool WithTriangle> void fillLarge(const Triangle &t, int index, const 
   const std::array<Edge<std::int64_t>, 3> edges = {{{*t.corner[0], *t.corner[1], t.left, t.top},
                                                     {*t.corner[1], *t.corner[2], t.left, t.top},
                                                     {*t.corner[2], *t.corner[0], t.left, t.top}}};
-  const DepthPlane plane(t.corner);
+  const DepthPlane plane(t);
   const float perColumn = static_cast<float>(plane.perColumn);
   for (int y = t.top; y <= t.bottom; ++y) {
     int first = 0;

@@ -8,17 +8,17 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! A projected corner of a triangle.
+//! A projected corner of a triangle, rounded to a sub-pixel.
 struct vpScreenVertex
 {
-  //! |x| and |y| must not be larger, so that sub-pixel integers do not overflow; the crop lies inside.
-  static constexpr double limit = 70000.;
+  static constexpr int subPixelBits = 10;
+  static constexpr std::int32_t subPixels = 1 << subPixelBits;
+  //! |column| and |row| must not be larger, so that integers do not overflow; the crop lies inside.
+  static constexpr double limit = 17000.;
 
-  double x;            //!< Crop pixels.
-  double y;            //!< Crop pixels.
-  double inverse;      //!< Inverse depth, > 0.
-  std::int32_t fixedX; //!< Rounded to 1/256 pixel, times 256.
-  std::int32_t fixedY;
+  double inverse; //!< Inverse depth, > 0.
+  std::int32_t x; //!< Column of the crop, sub-pixels.
+  std::int32_t y; //!< Row of the crop, sub-pixels.
 
   vpScreenVertex() = default;
   vpScreenVertex(double column, double row, double inverseDepth);
@@ -36,22 +36,21 @@ struct vpFillTarget
 /*!
   Draws triangle \e index from both sides.
 
-  Coverage is exact in integers of 1/256 pixel: a pixel belongs to a triangle when its centre is inside, and a
-  centre on an edge to the triangle right of it or below, so that triangles that share an edge leave no gap and draw no
-  pixel twice. Depth comes from the corners before rounding.
+  Coverage is exact in integers: a pixel belongs to a triangle when its centre is inside, and a centre on an edge to
+  the triangle right of it or below, so that triangles that share an edge leave no gap and draw no pixel twice. Depth
+  comes from the rounded corners too, so that surfaces that meet at an edge keep their order up to that edge.
   \tparam WithTriangle Whether target.triangle is filled.
 */
 template <bool WithTriangle>
 void vpFillTriangle(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c, int index,
                     const vpFillTarget &target);
 
-inline vpScreenVertex::vpScreenVertex(double column, double row, double inverseDepth)
-    : x(column), y(row), inverse(inverseDepth)
+inline vpScreenVertex::vpScreenVertex(double column, double row, double inverseDepth) : inverse(inverseDepth)
 {
   // Made positive for the cast, which cuts towards zero.
-  constexpr std::int32_t offset = static_cast<std::int32_t>(limit) * 256;
-  fixedX = static_cast<std::int32_t>(x * 256. + (offset + 0.5)) - offset;
-  fixedY = static_cast<std::int32_t>(y * 256. + (offset + 0.5)) - offset;
+  constexpr std::int32_t offset = static_cast<std::int32_t>(limit) * subPixels;
+  x = static_cast<std::int32_t>(column * subPixels + (offset + 0.5)) - offset;
+  y = static_cast<std::int32_t>(row * subPixels + (offset + 0.5)) - offset;
 }
 
 END_VISP_NAMESPACE

@@ -16,10 +16,10 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-//! Up to this size a pixel coordinate and its sub-pixel part fit the rasteriser's integers.
-constexpr unsigned int maxImageSize = 65536;
+//! Up to this size a pixel coordinate and its sub-pixel part fit the rasteriser's integers; OpenGL's usual limit too.
+constexpr unsigned int maxImageSize = 16384;
 
-//! Below this, reading the result back from a GPU costs more than drawing on the CPU.
+//! Up to here the CPU draws a crop of 200 pixels in well under a millisecond, the order of a GPU's way there and back.
 constexpr std::size_t trianglesWorthAGpu = 20000;
 
 void require(bool condition, const std::string &message)
