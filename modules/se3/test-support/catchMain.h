@@ -8,17 +8,20 @@
 
   The Catch2 that ViSP bundles comes first: inside ViSP's tree the tests are linked with that one, even where the
   system has another. Version 2 is a single header that has to hold the runner; version 3 is linked as a library.
+  With MULTICUE_CATCH_MAIN_IS_LINKED, runner and main() are linked too: they take longer to compile than most tests.
 */
+
+#ifndef MULTICUE_CATCH_MAIN_IS_LINKED
+#define CATCH_CONFIG_RUNNER
+#endif
 
 #if __has_include(<catch_amalgamated.hpp>)
 #include <catch_amalgamated.hpp>
 #elif __has_include(<catch.hpp>)
-#define CATCH_CONFIG_RUNNER
 #include <catch.hpp>
 #elif __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #elif __has_include(<catch2/catch.hpp>)
-#define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 #else
 #error "Catch2 was not found: install it (Debian: catch2), or configure with -DBUILD_TESTING=OFF"
@@ -46,6 +49,7 @@ inline Catch::Matchers::StdString::ContainsMatcher ContainsSubstring(const std::
 }
 #endif
 
+#ifndef MULTICUE_CATCH_MAIN_IS_LINKED
 // ViSP starts its tests with -c, -d and --no-display; Catch2 knows the first two with another meaning.
 int main(int argc, char *argv[])
 {
@@ -58,5 +62,7 @@ int main(int argc, char *argv[])
   }
   return Catch::Session().run(static_cast<int>(kept.size()), kept.data());
 }
+
+#endif
 
 #endif
