@@ -54,22 +54,22 @@ struct compareOptions
   bool read(int argc, const char *argv[])
   {
     const std::map<std::string, std::function<void(std::istringstream &)>> table = {
-      {"--images", [this](std::istringstream &s) { s >> images; }},
-      {"--model", [this](std::istringstream &s) { s >> model; }},
-      {"--part", [this](std::istringstream &s) { parts.push_back(readPart(s)); }},
-      {"--mesh", [this](std::istringstream &s) { s >> mesh; }},
-      {"--unit", [this](std::istringstream &s) { s >> unit; }},
-      {"--config", [this](std::istringstream &s) { s >> config; }},
-      {"--init-pose", [this](std::istringstream &s) { readInitPose(s.str()); }},
-      {"--init-points", [this](std::istringstream &s) { readInitPoints(s); }},
-      {"--truth", [this](std::istringstream &s) { s >> truth; }},
-      {"--poses", [this](std::istringstream &s) { s >> poses; }},
-      {"--first", [this](std::istringstream &s) { s >> first; }},
-      {"--last", [this](std::istringstream &s) { s >> last; }},
-      {"--repeat", [this](std::istringstream &s) { s >> repeat; }},
-      {"--candidates", [this](std::istringstream &s) { s >> candidates; }},
-      {"--old-threshold", [this](std::istringstream &s) { s >> oldScaleThreshold; }},
-      {"--scanline", [this](std::istringstream &s) { s >> scanline; }},
+        {"--images", [this](std::istringstream &s) { s >> images; }},
+        {"--model", [this](std::istringstream &s) { s >> model; }},
+        {"--part", [this](std::istringstream &s) { parts.push_back(readPart(s)); }},
+        {"--mesh", [this](std::istringstream &s) { s >> mesh; }},
+        {"--unit", [this](std::istringstream &s) { s >> unit; }},
+        {"--config", [this](std::istringstream &s) { s >> config; }},
+        {"--init-pose", [this](std::istringstream &s) { readInitPose(s.str()); }},
+        {"--init-points", [this](std::istringstream &s) { readInitPoints(s); }},
+        {"--truth", [this](std::istringstream &s) { s >> truth; }},
+        {"--poses", [this](std::istringstream &s) { s >> poses; }},
+        {"--first", [this](std::istringstream &s) { s >> first; }},
+        {"--last", [this](std::istringstream &s) { s >> last; }},
+        {"--repeat", [this](std::istringstream &s) { s >> repeat; }},
+        {"--candidates", [this](std::istringstream &s) { s >> candidates; }},
+        {"--old-threshold", [this](std::istringstream &s) { s >> oldScaleThreshold; }},
+        {"--scanline", [this](std::istringstream &s) { s >> scanline; }},
     };
     for (int i = 1; i < argc; i += 2) {
       const auto found = table.find(argv[i]);
@@ -146,11 +146,13 @@ private:
 
   template <typename Table> static void help(const Table &table)
   {
-    std::cout << "Compares vpMbMultiCueTracker with vpMbGenericTracker(EDGE_TRACKER) on a recording.\nOptions, each with a value:";
+    std::cout << "Compares vpMbMultiCueTracker with vpMbGenericTracker(EDGE_TRACKER) on a recording.\nOptions, each "
+                 "with a value:";
     for (const auto &entry : table) {
       std::cout << " " << entry.first;
     }
-    std::cout << "\n  --images and --truth are printf patterns (or a video), --part is \"FILE and the 12 numbers of its pose\",\n"
+    std::cout << "\n  --images and --truth are printf patterns (or a video), --part is \"FILE and the 12 numbers of "
+                 "its pose\",\n"
                  "  --init-points is \"u v X Y Z\" repeated, --mesh is what our tracker loads in place of --model.\n";
   }
 };

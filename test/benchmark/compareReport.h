@@ -72,19 +72,22 @@ public:
     for (const auto &entry : m_frames) {
       const std::vector<compareFrame> &frames = entry.second;
       const auto held = std::count_if(frames.begin(), frames.end(), [](const compareFrame &f) { return f.held; });
-      m_os << std::fixed << std::left << std::setw(12) << entry.first << std::right << std::setw(7) << frames.size() << std::setw(6)
-           << held << std::setprecision(3) << std::setw(20) << quantile(frames, &compareFrame::projectionError, 0.5) << std::setw(7)
-           << quantile(frames, &compareFrame::projectionError, 1.) << std::setw(12) << quantile(frames, &compareFrame::ms, 0.5)
-           << std::setw(8) << quantile(frames, &compareFrame::ms, 0.95);
+      m_os << std::fixed << std::left << std::setw(12) << entry.first << std::right << std::setw(7) << frames.size()
+           << std::setw(6) << held << std::setprecision(3) << std::setw(20)
+           << quantile(frames, &compareFrame::projectionError, 0.5) << std::setw(7)
+           << quantile(frames, &compareFrame::projectionError, 1.) << std::setw(12)
+           << quantile(frames, &compareFrame::ms, 0.5) << std::setw(8) << quantile(frames, &compareFrame::ms, 0.95);
       if (hasTruth) {
         m_os << std::setw(17) << 1e3 * quantile(frames, &compareFrame::translation, 0.5) << std::setw(9)
              << 1e3 * quantile(frames, &compareFrame::translation, 1.) << std::setw(22)
-             << quantile(frames, &compareFrame::rotation, 0.5) << std::setw(9) << quantile(frames, &compareFrame::rotation, 1.);
+             << quantile(frames, &compareFrame::rotation, 0.5) << std::setw(9)
+             << quantile(frames, &compareFrame::rotation, 1.);
       }
       m_os << "\n";
     }
     m_os << "time ratio multicue / visp-edge (medians): " << std::setprecision(2)
-         << quantile(m_frames.at("multicue"), &compareFrame::ms, 0.5) / quantile(m_frames.at("visp-edge"), &compareFrame::ms, 0.5)
+         << quantile(m_frames.at("multicue"), &compareFrame::ms, 0.5) /
+                quantile(m_frames.at("visp-edge"), &compareFrame::ms, 0.5)
          << std::endl;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /*!
   \file multicue-compare.cpp
-  Runs vpMbMultiCueTracker and ViSP's vpMbGenericTracker(EDGE_TRACKER) side by side on the frames of a recording and prints who
-  held the object, how well, and in what time.
+  Runs vpMbMultiCueTracker and ViSP's vpMbGenericTracker(EDGE_TRACKER) side by side on the frames of a recording and
+  prints who held the object, how well, and in what time.
 */
 #include "compareOptions.h"
 #include "compareReport.h"
@@ -19,8 +19,7 @@
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
-namespace
-{
+namespace {
 template <typename Tracker> void prepare(Tracker &tracker, const compareOptions &options)
 {
   tracker.loadConfigFile(options.config, false);
@@ -30,7 +29,8 @@ template <typename Tracker> void prepare(Tracker &tracker, const compareOptions 
   }
 }
 
-template <typename Tracker> void start(Tracker &tracker, const vpImage<unsigned char> &I, const compareOptions &options, int frame)
+template <typename Tracker>
+void start(Tracker &tracker, const vpImage<unsigned char> &I, const compareOptions &options, int frame)
 {
   if (!options.truth.empty()) {
     tracker.initFromPose(I, options.truthAt(frame));

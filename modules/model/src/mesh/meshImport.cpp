@@ -13,6 +13,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -188,6 +189,29 @@ private:
   std::map<std::string, int> m_images;
   bool m_hasTriangles = false;
 };
+bool hasSurface(const aiScene &scene)
+{
+  for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh &mesh = *scene.mMeshes[m];
+    const auto isPolygon = [](const aiFace &face) { return face.mNumIndices >= 3; };
+    if (std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, isPolygon)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+[[noreturn]] void refuseUnreadable(const std::string &file, const std::string &reason)
+{
+  throw vpException(vpException::ioError, "%s",
+                    ("model '" + file + "' cannot be read, is it broken or of another format? " + reason).c_str());
+}
+
+[[noreturn]] void refuseWithoutTriangles(const std::string &file)
+{
+  throw vpException(vpException::badValue, "%s",
+                    ("model '" + file + "' has no triangles: lines and clouds of points cannot be tracked").c_str());
+}
 } // namespace
 
 void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix &oMm, vpTrackedModelBuilder &builder)
@@ -195,19 +219,22 @@ void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix 
   Assimp::Importer importer;
   // The frame of the object is the one that its file was written in, for this format as for the others.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene *scene = importer.ReadFile(file, 0);
+  if (scene == nullptr) {
+    refuseUnreadable(file, importer.GetErrorString());
+  }
+  if (!hasSurface(*scene)) {
+    refuseWithoutTriangles(file);
+  }
   // Validation comes first and finds indices out of range, which not all importers look for.
-  const aiScene *scene = importer.ReadFile(file, aiProcess_ValidateDataStructure | aiProcess_Triangulate);
-  const std::string reason = importer.GetErrorString();
+  scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure | aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw vpException(vpException::ioError, "%s",
-                      ("model '" + file + "' cannot be read, is it broken or of another format? " + reason).c_str());
+    refuseUnreadable(file, importer.GetErrorString());
   }
   SceneReader reader(*scene, vpIoTools::getParent(file), builder);
   reader.addNode(*scene->mRootNode, toBuilder(oMm, unit, builder.options().unit));
   if (!reader.hasTriangles()) {
-    throw vpException(
-        vpException::badValue, "%s",
-        ("model '" + file + "' has no triangles: a cloud of points cannot be tracked, make a mesh of it").c_str());
+    refuseWithoutTriangles(file);
   }
 }
 } // namespace vpMeshDetail

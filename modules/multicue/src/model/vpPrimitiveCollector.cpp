@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/vpPrimitiveCollector.h"
 
+#include "model/vpCaoParent.h"
+
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpIoTools.h>
 
@@ -27,6 +29,22 @@ vpTrackedModelBuilder vpPrimitiveCollector::add(const vpTrackedModelBuilder &bui
     throw vpException(vpException::ioError, "The model file '%s' cannot be read: %s", modelFile.c_str(), e.what());
   }
   return collector.m_builder;
+}
+
+void vpPrimitiveCollector::loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename,
+                                        int &startIdFace, bool verbose, bool parent, const vpHomogeneousMatrix &odTo)
+{
+  const unsigned int readBefore = m_partsRead;
+  try {
+    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, verbose, parent, odTo);
+  } catch (...) {
+    const unsigned int parts = countPartsOfCaoParent(modelFile);
+    if (parts == 0 || m_partsRead != readBefore + parts) {
+      throw;
+    }
+    m_partsRead = readBefore;
+  }
+  ++m_partsRead;
 }
 
 void vpPrimitiveCollector::initCircle(const vpPoint &centre, const vpPoint &second, const vpPoint &third, double radius,

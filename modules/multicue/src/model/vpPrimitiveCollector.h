@@ -22,9 +22,13 @@ public:
     \return The builder with the file's primitives added.
     \throw vpException naming the file where it is missing or broken.
   */
-  static vpTrackedModelBuilder add(const vpTrackedModelBuilder &builder, const std::string &modelFile, const vpHomogeneousMatrix &odTo);
+  static vpTrackedModelBuilder add(const vpTrackedModelBuilder &builder, const std::string &modelFile,
+                                   const vpHomogeneousMatrix &odTo);
 
 protected:
+  //! Also reads files that consist of load() lines alone, which older versions of ViSP read and then refuse.
+  void loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename, int &startIdFace,
+                    bool verbose, bool parent, const vpHomogeneousMatrix &odTo) override;
   void initCircle(const vpPoint &centre, const vpPoint &second, const vpPoint &third, double radius, int idFace,
                   const std::string &name) override;
   void initCylinder(const vpPoint &start, const vpPoint &end, double radius, int idFace,
@@ -63,6 +67,7 @@ private:
   void track(const vpImage<vpRGBa> &) override {}
 
   vpTrackedModelBuilder m_builder;
+  unsigned int m_partsRead = 0; // Files that the parser came to the end of.
 };
 
 END_VISP_NAMESPACE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "model/vpCaoParent.h"
 #include "model/vpPrimitiveCollector.h"
 #include "tracker/vpTrackerState.h"
 
@@ -61,14 +62,14 @@ void vpMbMultiCueTracker::replaceModel(const std::string &modelFile, bool verbos
   takeModel(std::move(parts), std::move(loaded), modelFile, verbose, odTo);
 }
 
-void vpMbMultiCueTracker::takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded, const std::string &modelFile,
-                                    bool verbose, const vpHomogeneousMatrix &odTo)
+void vpMbMultiCueTracker::takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded,
+                                    const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo)
 {
   if (vpModelReader::isMesh(modelFile)) {
     m_impl->hasMesh = true;
   } else {
-    // What vpMbTracker itself keeps of a model (faces, their level of detail, projection error) is read once more from the
-    // file, which has just been read without an error.
+    // What vpMbTracker itself keeps of a model (faces, their level of detail, projection error) is read once more from
+    // the file, which has just been read without an error.
     vpMbTracker::loadModel(modelFile, verbose, odTo);
   }
   modelInitialised = true;
@@ -83,6 +84,19 @@ void vpMbMultiCueTracker::takeModel(vpTrackedModelBuilder &&parts, vpTrackedMode
   updateDetails();
   if (verbose) {
     std::cout << m_impl->model->report() << std::flush;
+  }
+}
+
+void vpMbMultiCueTracker::loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename,
+                                       int &startIdFace, bool verbose, bool parent, const vpHomogeneousMatrix &odTo)
+{
+  try {
+    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, verbose, parent, odTo);
+  } catch (...) {
+    // collect() has read the same file without an error: what fails is the end of a file of load() lines alone.
+    if (countPartsOfCaoParent(modelFile) == 0) {
+      throw;
+    }
   }
 }
 
@@ -141,15 +155,15 @@ std::shared_ptr<const vpTrackedModel> vpMbMultiCueTracker::getModel() const
   return m_impl->model;
 }
 
-void vpMbMultiCueTracker::reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
-                                      bool verbose, const vpHomogeneousMatrix &odTo)
+void vpMbMultiCueTracker::reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
+                                      const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
 {
   replaceModel(modelFile, verbose, odTo);
   initFromPose(I, cMo);
 }
 
-void vpMbMultiCueTracker::reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
-                                      bool verbose, const vpHomogeneousMatrix &odTo)
+void vpMbMultiCueTracker::reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile,
+                                      const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
 {
   replaceModel(modelFile, verbose, odTo);
   initFromPose(I_color, cMo);

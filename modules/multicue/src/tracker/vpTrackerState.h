@@ -22,7 +22,7 @@ public:
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
   int type = EDGE_TRACKER;
   vpModelViewOptions viewOptions; // Brought up to date by vpMbMultiCueTracker::viewOptions().
-  vpMe me; // As the user gave it, for getMovingEdge().
+  vpMe me;                        // As the user gave it, for getMovingEdge().
   vpKltSettings klt;
   vpModelOptions modelOptions;
   vpModelRenderer::Preference preference = vpModelRenderer::AUTOMATIC;

@@ -11,6 +11,12 @@ BEGIN_VISP_NAMESPACE
   \ingroup group_model_geometry
   Reads meshes (.obj, .ply, .stl, .dae, .gltf, .glb) through assimp. ViSP's own .cao and .wrl files are read by the
   tracker.
+
+  Coordinates are those of the file, with the transformations of its nodes; axes are never turned, so the up axis that a
+  .dae file names has no effect. A .dae file's own unit does count: it is in metres once it was read, and
+  vpModelOptions::unit comes on top of that (leave it at 1). .gltf and .glb files are in metres by their standard.
+  Colours are those of the vertices or of the material; texture images (PNG, JPEG and what else OpenCV reads) may be
+  inside the file or beside it. Builds without OpenCV have no textures.
 */
 class VISP_EXPORT vpModelReader
 {

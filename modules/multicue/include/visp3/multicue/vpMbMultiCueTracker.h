@@ -47,11 +47,10 @@ public:
   /** @name Model */
   //@{
   /*!
-    Adds a file to the model, as ViSP's trackers do: several files make one object. reInitModel() and resetTracker() begin anew.
-    \param modelFile Path of a .cao, .wrl (metres), or mesh file (unit of setModelUnit()).
-    \param verbose Print the report of what was loaded.
-    \param odTo Pose of the file's frame in the object frame.
-    \throw vpException naming the file where it is missing, broken, empty, or of an unbelievable size.
+    Adds a file to the model, as ViSP's trackers do: several files make one object. reInitModel() and resetTracker()
+    begin anew. \param modelFile Path of a .cao, .wrl (metres), or mesh file (unit of setModelUnit()). \param verbose
+    Print the report of what was loaded. \param odTo Pose of the file's frame in the object frame. \throw vpException
+    naming the file where it is missing, broken, empty, or of an unbelievable size.
   */
   void loadModel(const std::string &modelFile, bool verbose = false,
                  const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix()) override;
@@ -170,6 +169,9 @@ public:
 protected:
   void computeVVSInit() override;
   void computeVVSInteractionMatrixAndResidu() override;
+  void loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename, int &startIdFace,
+                    bool verbose = false, bool parent = true,
+                    const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix()) override;
   void initCircle(const vpPoint &, const vpPoint &, const vpPoint &, double, int = 0, const std::string & = "") override
   {
   }
