@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
@@ -15,16 +14,20 @@ FilePattern::FilePattern(const std::string &pattern) : m_folder("."), m_width(0)
 {
   const std::filesystem::path path(pattern);
   const std::string name = path.filename().string();
-  std::smatch parts;
-  if (!std::regex_match(name, parts, std::regex("([^%]*)%(0(\\d))?d([^%]*)"))) {
+  // %d, or %0 and one digit and d.
+  const std::size_t begin = name.find('%');
+  const std::size_t end = name.find('d', begin);
+  const std::string flags = end == std::string::npos ? "?" : name.substr(begin + 1, end - begin - 1);
+  const bool hasWidth = flags.size() == 2 && flags[0] == '0' && flags[1] >= '0' && flags[1] <= '9';
+  if (begin == std::string::npos || name.rfind('%') != begin || !(flags.empty() || hasWidth)) {
     throw vpException(vpException::badValue, pattern + " needs one %d in the file's name, such as image%04d.png");
   }
   if (path.has_parent_path()) {
     m_folder = path.parent_path().string();
   }
-  m_prefix = parts[1];
-  m_width = parts[3].matched ? std::stoul(parts[3]) : 0;
-  m_suffix = parts[4];
+  m_prefix = name.substr(0, begin);
+  m_width = hasWidth ? static_cast<std::size_t>(flags[1] - '0') : 0;
+  m_suffix = name.substr(end + 1);
 }
 
 std::string FilePattern::name(int number) const

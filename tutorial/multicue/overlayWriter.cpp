@@ -70,7 +70,11 @@ void drawText(cv::Mat &image, const std::string &text, const cv::Scalar &color)
 OverlayWriter::OverlayWriter(const std::string &file, double framesPerSecond)
     : m_file(file), m_framesPerSecond(framesPerSecond), m_isVideo(file.find('%') == std::string::npos)
 {
-  const std::string extension = std::filesystem::path(file).extension().string();
+  const std::filesystem::path path(file);
+  if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path())) {
+    fail("--save " + file + ": there is no folder " + path.parent_path().string());
+  }
+  const std::string extension = path.extension().string();
   if (m_isVideo && extension != ".mp4" && extension != ".avi") {
     fail("--save " + file + " has to end in .mp4 or .avi, or be a pattern of images such as out%04d.png");
   }
@@ -90,7 +94,7 @@ void OverlayWriter::openVideo(const cv::Size &size)
   }
   m_video.open(m_file, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), m_framesPerSecond, size);
   if (!m_video.isOpened()) {
-    fail("--save " + m_file + " cannot be written: does the folder exist? Otherwise save images, out%04d.png");
+    fail("--save " + m_file + " cannot be written: OpenCV has no encoder for it, save images such as out%04d.png");
   }
 }
 
@@ -105,7 +109,7 @@ void OverlayWriter::write(const vpImage<vpRGBa> &I, vpMbMultiCueTracker &tracker
   if (!m_isVideo) {
     const std::string file = FilePattern(m_file).name(frame);
     if (!cv::imwrite(file, image)) {
-      fail("--save " + file + " cannot be written: does the folder exist?");
+      fail("--save " + file + " cannot be written: is the disk full?");
     }
     return;
   }

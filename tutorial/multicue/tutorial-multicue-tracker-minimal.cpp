@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //! \example tutorial-multicue-tracker-minimal.cpp
+#include <visp3/core/vpPoseVector.h>
 #include <visp3/io/vpVideoReader.h>
 //! [Include]
 #include <visp3/multicue/vpMbMultiCueTracker.h>

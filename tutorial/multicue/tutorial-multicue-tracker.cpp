@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //! \example tutorial-multicue-tracker.cpp
 #include "frameReader.h"
-#include "initialPose.h"
+#include "initFiles.h"
 #include "overlayWriter.h"
 #include "trackerOptions.h"
 #include "trackingLog.h"
@@ -37,7 +37,7 @@ std::unique_ptr<vpDisplay> openDisplay(const TrackerOptions &options, vpImage<vp
   if (options.display && name && *name) {
     try {
       return std::make_unique<vpDisplayX>(I, 50, 50, "Multi-cue tracker: click to end");
-    } catch (const vpException &e) {
+    } catch (const vpException &) {
       std::cout << "Without a window: display " << name << " cannot be opened" << std::endl;
     }
   }
@@ -54,11 +54,18 @@ void load(vpMbMultiCueTracker &tracker, const TrackerOptions &options)
 }
 //! [Load]
 
-void requireFile(const std::string &option, const std::string &file, const std::string &extension)
+// The points to click on are shown by ViSP, which wants a file name that ends in .init.
+void initByClicks(vpMbMultiCueTracker &tracker, const std::string &file, const vpImage<vpRGBa> &I)
 {
-  if (!vpIoTools::checkFilename(file) && !vpIoTools::checkFilename(file + extension)) {
-    throw vpException(vpException::ioError, option + " " + file + ": no such file");
+  if (vpIoTools::getFileExtension(file) != ".init" || !vpIoTools::checkFilename(file)) {
+    throw vpException(vpException::ioError, "--init-click " + file + ": no such file, or its name ends not in .init");
   }
+  if (!I.display) {
+    throw vpException(vpException::badValue, "--init-click needs a display: use --init-pose or --init-points");
+  }
+  vpDisplay::display(I);
+  vpDisplay::flush(I);
+  tracker.initClick(I, file, true);
 }
 
 //! [Init]
@@ -67,16 +74,10 @@ void init(vpMbMultiCueTracker &tracker, const TrackerOptions &options, const vpI
   if (!options.initPose.empty()) {
     tracker.initFromPose(I, readPose(options.initPose));
   } else if (!options.initPoints.empty()) {
-    requireFile("--init-points", options.initPoints, ".init");
-    tracker.initFromPoints(I, options.initPoints);
+    const PointPairs points = readPoints(options.initPoints);
+    tracker.initFromPoints(I, points.image, points.object);
   } else {
-    requireFile("--init-click", options.initClick, ".init");
-    if (!I.display) {
-      throw vpException(vpException::badValue, "--init-click needs a display: use --init-pose or --init-points");
-    }
-    vpDisplay::display(I);
-    vpDisplay::flush(I);
-    tracker.initClick(I, options.initClick, true);
+    initByClicks(tracker, options.initClick, I);
   }
 }
 //! [Init]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "initialPose.h"
+#include "initFiles.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/se3/vpPoseMean.h>
@@ -12,7 +12,7 @@
 namespace {
 [[noreturn]] void fail(const std::string &file, const std::string &text)
 {
-  throw vpException(vpException::ioError, "--init-pose " + file + ": " + text);
+  throw vpException(vpException::ioError, file + ": " + text);
 }
 
 std::vector<double> readNumbers(const std::string &file)
@@ -64,4 +64,21 @@ vpHomogeneousMatrix readPose(const std::string &file)
     return closestPose(file, numbers);
   }
   fail(file, "a pose has 6, 12 or 16 numbers, but there are " + std::to_string(numbers.size()));
+}
+
+PointPairs readPoints(const std::string &file)
+{
+  const std::vector<double> numbers = readNumbers(file);
+  const std::size_t count = numbers.empty() || !(numbers[0] >= 4.) ? 0 : static_cast<std::size_t>(numbers[0]);
+  if (count == 0 || numbers.size() != 2 + 5 * count || numbers[1 + 3 * count] != numbers[0]) {
+    fail(file, "needs the number of points, at least 4, X Y Z of each, the number again, and row and column of each");
+  }
+  PointPairs points;
+  for (std::size_t i = 0; i < count; i++) {
+    const double *object = &numbers[1 + 3 * i];
+    const double *image = &numbers[2 + 3 * count + 2 * i];
+    points.object.emplace_back(object[0], object[1], object[2]);
+    points.image.emplace_back(image[0], image[1]);
+  }
+  return points;
 }
