@@ -2,6 +2,7 @@
 #include "model/vpPrimitiveCollector.h"
 
 #include "model/vpCaoParent.h"
+#include "model/vpVrmlCheck.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpIoTools.h>
@@ -24,6 +25,9 @@ vpTrackedModelBuilder vpPrimitiveCollector::add(const vpTrackedModelBuilder &bui
   }
   vpPrimitiveCollector collector(builder);
   try {
+    if (vpIoTools::toUpperCase(vpIoTools::getFileExtension(modelFile)) == ".WRL") {
+      requireReadableVrml(modelFile);
+    }
     collector.loadModel(modelFile, false, odTo);
   } catch (const std::exception &e) {
     throw vpException(vpException::ioError, "The model file '%s' cannot be read: %s", modelFile.c_str(), e.what());

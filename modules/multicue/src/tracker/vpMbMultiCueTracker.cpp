@@ -73,7 +73,8 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
                       "The initial pose is not finite (NaN or infinite values): check how it was computed");
   }
   if (!cMo.getRotationMatrix().isARotationMatrix(1e-4)) {
-    throw vpException(vpException::badValue, "The initial pose has no rotation in its upper left 3 x 3: check how it was computed");
+    throw vpException(vpException::badValue,
+                      "The initial pose has no rotation in its upper left 3 x 3: check how it was computed");
   }
   const vpTrackedModel &model = *m_impl->model;
   unsigned int inFront = 0;
