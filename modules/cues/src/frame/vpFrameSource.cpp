@@ -60,7 +60,9 @@ vpCueFrame vpFrameSource::frame(const vpImage<vpRGBa> &I, const vpCameraParamete
     vpImageTools::remap(I, m_mapU, m_mapV, m_mapDu, m_mapDv, m_color);
     frame.m_color = &m_color;
   }
-  vpImageConvert::convert(*frame.m_color, m_gray);
+  // The overload that starts no OpenMP threads: waiting for them can take longer than the conversion.
+  m_gray.resize(I.getHeight(), I.getWidth());
+  vpImageConvert::RGBaToGrey(reinterpret_cast<unsigned char *>(frame.m_color->bitmap), m_gray.bitmap, I.getSize());
   frame.m_gray = &m_gray;
   return frame;
 }

@@ -25,7 +25,8 @@ vpTrackedModelBuilder vpPrimitiveCollector::add(const vpTrackedModelBuilder &bui
   }
   vpPrimitiveCollector collector(builder);
   try {
-    if (vpIoTools::toUpperCase(vpIoTools::getFileExtension(modelFile)) == ".WRL") {
+    const std::string extension = vpIoTools::getFileExtension(modelFile);
+    if (extension == ".wrl" || extension == ".WRL") {
       requireReadableVrml(modelFile);
     }
     collector.loadModel(modelFile, false, odTo);
