@@ -26,7 +26,7 @@ Json parse(const std::string &file)
   const bool throwing = true, withComments = true;
   try {
     return Json::parse(readTextFile(file), nullptr, throwing, withComments);
-  } catch (const Json::parse_error &error) {
+  } catch (const Json::exception &error) {
     const std::string message = error.what();
     const std::size_t end = message.find("] "); // Of the library's name for the error.
     refuse(file, "this is no JSON: " + (end == std::string::npos ? message : message.substr(end + 2)));

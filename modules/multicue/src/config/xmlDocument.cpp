@@ -68,21 +68,18 @@ void XmlDocument::checkChildren(const pugi::xml_node &parent, const std::string 
     }
     if (known->kind == XmlNode::GROUP) {
       checkChildren(node, path);
-    } else {
-      checkLeaf(node, *known);
+    } else if (known->kind != XmlNode::ANYTHING) {
+      checkNumber(node, *known);
     }
   }
 }
 
-void XmlDocument::checkLeaf(const pugi::xml_node &node, const XmlNode &known) const
+void XmlDocument::checkNumber(const pugi::xml_node &node, const XmlNode &known) const
 {
   for (const pugi::xml_node &child : node.children()) {
     if (child.type() == pugi::node_element) {
       refuse(child, quoted(child) + " is not known in " + quoted(node) + "; " + knownBelow(known.path));
     }
-  }
-  if (known.kind == XmlNode::TEXT) {
-    return;
   }
   const bool whole = known.kind == XmlNode::WHOLE;
   const std::string text = node.text().get();

@@ -29,7 +29,7 @@ public:
 private:
   void parse();
   void checkChildren(const pugi::xml_node &parent, const std::string &parentPath) const;
-  void checkLeaf(const pugi::xml_node &node, const XmlNode &known) const;
+  void checkNumber(const pugi::xml_node &node, const XmlNode &known) const;
   [[noreturn]] void refuseAt(std::ptrdiff_t offset, const std::string &reason) const;
 
   std::string m_file;

@@ -35,14 +35,14 @@ Nodes cameraNodes()
            [](const Values &values, Draft &draft) { draft.camera.u0 = values.camera.get_u0(); }},
           {"camera/v0", XmlNode::NUMBER, rangeOf("camera.v0"),
            [](const Values &values, Draft &draft) { draft.camera.v0 = values.camera.get_v0(); }},
-          {"camera/name", XmlNode::TEXT, any, nullptr},
+          {"camera/name", XmlNode::ANYTHING, any, nullptr},
           {"camera/image_width", XmlNode::WHOLE, any, nullptr},
           {"camera/image_height", XmlNode::WHOLE, any, nullptr},
           {"camera/subsampling_width", XmlNode::WHOLE, any, nullptr},
           {"camera/subsampling_height", XmlNode::WHOLE, any, nullptr},
-          {"camera/additional_information", XmlNode::TEXT, any, nullptr},
+          {"camera/additional_information", XmlNode::ANYTHING, any, nullptr},
           {"camera/model", XmlNode::GROUP, any, nullptr},
-          {"camera/model/type", XmlNode::TEXT, any, nullptr},
+          {"camera/model/type", XmlNode::ANYTHING, any, nullptr},
           {"camera/model/px", XmlNode::NUMBER, rangeOf("camera.px"), nullptr},
           {"camera/model/py", XmlNode::NUMBER, rangeOf("camera.py"), nullptr},
           {"camera/model/u0", XmlNode::NUMBER, rangeOf("camera.u0"), nullptr},
@@ -163,7 +163,7 @@ Nodes passedOver()
           {"depth_dense/sampling_step/step_Y", XmlNode::WHOLE, any, nullptr},
           {"projection_error", XmlNode::GROUP, any, nullptr},
           {"projection_error/sample_step", XmlNode::NUMBER, any, nullptr},
-          {"projection_error/kernel_size", XmlNode::TEXT, any, nullptr}};
+          {"projection_error/kernel_size", XmlNode::ANYTHING, any, nullptr}};
 }
 
 vpCameraParameters cameraOf(const vpMbtXmlGenericParser &parser)

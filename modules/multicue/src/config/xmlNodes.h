@@ -28,8 +28,8 @@ struct XmlNode
   {
     GROUP, //!< Holds other nodes.
     NUMBER,
-    WHOLE, //!< ViSP would cut off decimals.
-    TEXT
+    WHOLE,   //!< ViSP would cut off decimals.
+    ANYTHING //!< Text or nodes, not looked at here.
   };
 
   const char *path; //!< From below the root, for instance "ecm/mask/size".
