@@ -22,26 +22,31 @@ constexpr unsigned int maxImageSize = 16384;
 //! Up to here the CPU draws a crop of 200 pixels in well under a millisecond, the order of a GPU's way there and back.
 constexpr std::size_t trianglesWorthAGpu = 20000;
 
-void require(bool condition, const std::string &message)
+//! The message is only made where it is thrown: checks run in every frame.
+template <class Message> void require(bool condition, const Message &message)
 {
   if (!condition) {
-    throw vpException(vpException::badValue, message);
+    throw vpException(vpException::badValue, message());
   }
 }
 
 void checkCamera(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
                  unsigned int imageHeight)
 {
-  require(imageWidth > 0 && imageHeight > 0 && imageWidth <= maxImageSize && imageHeight <= maxImageSize,
-          "Rendering: the image size is " + std::to_string(imageWidth) + " x " + std::to_string(imageHeight) +
-              ", give sides from 1 to " + std::to_string(maxImageSize));
-  require(std::isfinite(cam.get_px()) && std::isfinite(cam.get_py()) && cam.get_px() > 0 && cam.get_py() > 0,
-          "Rendering: the camera has px = " + std::to_string(cam.get_px()) +
-              " and py = " + std::to_string(cam.get_py()) + ", give focal lengths in pixels, > 0");
-  require(std::isfinite(cam.get_u0()) && std::isfinite(cam.get_v0()),
-          "Rendering: the camera has u0 = " + std::to_string(cam.get_u0()) +
-              " and v0 = " + std::to_string(cam.get_v0()) + ", give a finite principal point");
-  require(vpToPoseMatrix(cMo).allFinite(), "Rendering: the pose cMo has a value that is not finite");
+  require(imageWidth > 0 && imageHeight > 0 && imageWidth <= maxImageSize && imageHeight <= maxImageSize, [&] {
+    return "Rendering: the image size is " + std::to_string(imageWidth) + " x " + std::to_string(imageHeight) +
+           ", give sides from 1 to " + std::to_string(maxImageSize);
+  });
+  require(std::isfinite(cam.get_px()) && std::isfinite(cam.get_py()) && cam.get_px() > 0 && cam.get_py() > 0, [&] {
+    return "Rendering: the camera has px = " + std::to_string(cam.get_px()) +
+           " and py = " + std::to_string(cam.get_py()) + ", give focal lengths in pixels, > 0";
+  });
+  require(std::isfinite(cam.get_u0()) && std::isfinite(cam.get_v0()), [&] {
+    return "Rendering: the camera has u0 = " + std::to_string(cam.get_u0()) +
+           " and v0 = " + std::to_string(cam.get_v0()) + ", give a finite principal point";
+  });
+  require(vpToPoseMatrix(cMo).allFinite(),
+          [] { return std::string("Rendering: the pose cMo has a value that is not finite"); });
 }
 
 //! A range of image coordinates along one axis, pixels.
@@ -129,14 +134,17 @@ std::unique_ptr<vpModelRenderer> createEgl(const std::shared_ptr<const vpTracked
 
 void vpRenderOptions::check() const
 {
-  require((channels & ~static_cast<unsigned int>(DEPTH | NORMAL | FACE | COLOR)) == 0,
-          "vpRenderOptions::channels is " + std::to_string(channels) + ", or values of vpRenderOptions::Channel");
-  require(scale > 0 && scale <= 1,
-          "vpRenderOptions::scale is " + std::to_string(scale) + ", give a value in (0, 1] rendered pixels per pixel");
+  require((channels & ~static_cast<unsigned int>(DEPTH | NORMAL | FACE | COLOR)) == 0, [this] {
+    return "vpRenderOptions::channels is " + std::to_string(channels) + ", or values of vpRenderOptions::Channel";
+  });
+  require(scale > 0 && scale <= 1, [this] {
+    return "vpRenderOptions::scale is " + std::to_string(scale) + ", give a value in (0, 1] rendered pixels per pixel";
+  });
   require(std::isfinite(margin) && margin >= 0,
-          "vpRenderOptions::margin is " + std::to_string(margin) + ", give a number of pixels >= 0");
-  require(std::isfinite(nearDistance) && nearDistance > 0,
-          "vpRenderOptions::nearDistance is " + std::to_string(nearDistance) + ", give a distance in metres > 0");
+          [this] { return "vpRenderOptions::margin is " + std::to_string(margin) + ", give a number of pixels >= 0"; });
+  require(std::isfinite(nearDistance) && nearDistance > 0, [this] {
+    return "vpRenderOptions::nearDistance is " + std::to_string(nearDistance) + ", give a distance in metres > 0";
+  });
 }
 
 int vpRenderedView::index(double u, double v) const
@@ -152,7 +160,7 @@ int vpRenderedView::index(double u, double v) const
 std::unique_ptr<vpModelRenderer> vpModelRenderer::create(const std::shared_ptr<const vpTrackedModel> &model,
                                                          Preference preference)
 {
-  require(model != nullptr, "vpModelRenderer::create() was given no model");
+  require(model != nullptr, [] { return std::string("vpModelRenderer::create() was given no model"); });
   const bool large = model->triangles().size() > trianglesWorthAGpu;
   std::unique_ptr<vpModelRenderer> renderer;
   if (preference == EGL || (preference == AUTOMATIC && large)) {
