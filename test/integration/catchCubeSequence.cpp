@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
+#include "modelFiles.h"
 #include "recording.h"
-
-#include <modelFiles.h>
 
 #include <visp3/mbt/vpMbGenericTracker.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>

@@ -8,6 +8,7 @@
 #include <visp3/core/vpIoTools.h>
 #include <visp3/core/vpMath.h>
 #include <visp3/io/vpImageIo.h>
+#include <visp3/se3/vpCompatibility.h>
 
 #include <algorithm>
 #include <cstdio>

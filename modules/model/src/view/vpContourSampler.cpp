@@ -177,9 +177,9 @@ void vpContourSampler::sampleRun(std::size_t first, std::size_t last, double tot
         contour.step = spacing;
         m_view.m_contours.push_back(contour);
       }
-      open = emit(piece, (next - begin) / piece.length, next);
       vpContour &contour = m_view.m_contours.back();
-      contour.count = static_cast<int>(m_view.m_points.size()) - contour.first;
+      open = emit(piece, (next - begin) / piece.length, (contour.count + 0.5) * spacing);
+      contour.count += open ? 1 : 0;
       if (contour.count == 0) {
         m_view.m_contours.pop_back();
       }

@@ -55,14 +55,20 @@ bool vpCurves::isLongEnough(const vpModelEdge &edge) const
     return true;
   }
   const double length = (m_camera.project(a) - m_camera.project(b)).norm();
+  const auto suffices = [this, length](int face) {
+    const std::size_t index = static_cast<std::size_t>(face);
+    return index >= m_options.details.size() || !m_options.details[index].enabled ||
+           length >= m_options.details[index].minLineLength;
+  };
+  if (edge.faceCount == 0) {
+    return edge.line < 0 || suffices(edge.line);
+  }
   for (int slot = edge.firstFace; slot < edge.firstFace + edge.faceCount; ++slot) {
-    const std::size_t face = static_cast<std::size_t>(m_model.edgeFaces()[static_cast<std::size_t>(slot)]);
-    const bool limited = face < m_options.details.size() && m_options.details[face].enabled;
-    if (!limited || length >= m_options.details[face].minLineLength) {
+    if (suffices(m_model.edgeFaces()[static_cast<std::size_t>(slot)])) {
       return true;
     }
   }
-  return edge.faceCount == 0;
+  return false;
 }
 
 void vpCurves::addEdges(vpContourSampler &sampler) const
