@@ -36,8 +36,6 @@ void vpEdgeCue::setSettings(const vpEdgeCueSettings &settings)
 void vpEdgeCue::reset()
 {
   m_memory.clear();
-  m_matches.clear();
-  m_candidates.clear();
 }
 
 const vpEdgeCue::Memory *vpEdgeCue::recall(const vpControlPoint &point) const

@@ -160,12 +160,7 @@ bool vpMbMultiCueTracker::computeVVS()
   }
   oJo = chosen;
   impl.weights.assign(m_w.data, m_w.data + m_w.getRows());
-  for (unsigned int i = 0; i < 16; ++i) {
-    if (!std::isfinite(m_cMo.data[i])) {
-      return false;
-    }
-  }
-  return m_cMo[2][3] > -impl.model->diameter();
+  return true;
 }
 
 END_VISP_NAMESPACE

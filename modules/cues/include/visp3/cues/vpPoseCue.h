@@ -74,7 +74,7 @@ public:
   */
   virtual void updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights) = 0;
 
-  //! Forgets all that was learnt from images.
+  //! Forgets all that was learnt from trusted poses; the last match stays.
   virtual void reset() = 0;
 
   //! Features of the last match, with the states that \e weights (rows of residuals()) give them at \e cMo.
