@@ -87,9 +87,9 @@ std::vector<std::vector<double>> vpMbMultiCueTracker::getModelForDisplay(unsigne
   vpModelViewOptions options = viewOptions();
   options.sampleStep = displayStep;
   options.border = 0.;
-  options.appearAngle = options.disappearAngle; // What is still tracked is still shown.
   options.allEdges = displayFullModel;
   vpModelView &view = *m_impl->displayView;
+  view.continueFrom(*m_impl->view); // Faces are shown as long as they are tracked.
   view.compute(cMo, cam, width, height, options, displayFullModel ? nullptr : m_impl->renderer.get());
 
   std::vector<std::vector<double>> lines;
