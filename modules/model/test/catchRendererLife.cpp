@@ -18,10 +18,14 @@ void (*volatile release)(void *) = std::free;
 } // namespace
 
 // Every allocation of the process, the library's included, is counted.
-void *operator new(std::size_t size)
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 {
   ++allocations;
-  if (void *memory = std::malloc(size > 0 ? size : 1)) {
+  return std::malloc(size > 0 ? size : 1);
+}
+void *operator new(std::size_t size)
+{
+  if (void *memory = operator new(size, std::nothrow)) {
     return memory;
   }
   throw std::bad_alloc();

@@ -19,7 +19,7 @@ namespace {
 //! Up to this size a pixel coordinate and its sub-pixel part fit the rasteriser's integers; OpenGL's usual limit too.
 constexpr unsigned int maxImageSize = 16384;
 
-//! Up to here the CPU draws a crop of 200 pixels in well under a millisecond, the order of a GPU's way there and back.
+//! An estimate, not measured on a GPU: up to here the CPU draws a crop of 200 pixels in less than a millisecond.
 constexpr std::size_t trianglesWorthAGpu = 20000;
 
 //! \param message Makes the text; called on failure only, as a frame must not allocate.
