@@ -217,7 +217,7 @@ TEST_CASE("A file of ViSP's camera parser gives the camera")
   CHECK_THAT(
       settingsFiles::refusal("camera.xml",
                              start + "<model><type>perspectiveProjWithoutDistortion</type><px>700</px></model>" + end),
-      ContainsSubstring("must have px, py, u0, v0"));
+      ContainsSubstring("<py> is missing in <model>"));
 }
 
 TEST_CASE("Reading leaves the program's locale alone")
@@ -246,7 +246,6 @@ TEST_CASE("The files that come with ViSP's images are read")
   const vpMultiCueSettings cube = readImage("mbt/cube.xml");
   CHECK(cube.camera.get_px() == 547.7367575);
   CHECK(cube.edge.range == 7.);
-  CHECK(cube.edge.contrast == Approx(2.5));
   CHECK(cube.view.appearAngle == 65.);
   CHECK(cube.view.farDistance == 0.9);
   CHECK(cube.klt.maxFeatures == 300);

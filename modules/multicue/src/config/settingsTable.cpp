@@ -45,13 +45,14 @@ Range above(double low, double high = infinite, const char *unit = "")
 }
 } // namespace
 
-CameraParts::CameraParts(const vpCameraParameters &camera)
-    : px(camera.get_px()), py(camera.get_py()), u0(camera.get_u0()), v0(camera.get_v0())
+CameraParts CameraParts::of(const vpCameraParameters &camera)
 {
+  CameraParts parts = {camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), std::nullopt, std::nullopt};
   if (camera.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion) {
-    kud = camera.get_kud();
-    kdu = camera.get_kdu();
+    parts.kud = camera.get_kud();
+    parts.kdu = camera.get_kdu();
   }
+  return parts;
 }
 
 vpCameraParameters CameraParts::camera() const
@@ -70,14 +71,14 @@ bool CameraParts::operator==(const CameraParts &other) const
   return std::tie(px, py, u0, v0, kud, kdu) == std::tie(other.px, other.py, other.u0, other.v0, other.kud, other.kdu);
 }
 
-Draft::Draft(const vpMultiCueSettings &settings) : members(settings), camera(settings.camera)
+Draft::Draft(const vpMultiCueSettings &settings) : members(settings), camera(CameraParts::of(settings.camera))
 {
 }
 
 vpMultiCueSettings Draft::settings() const
 {
   vpMultiCueSettings settings = members;
-  if (!(camera == CameraParts(members.camera))) {
+  if (!(camera == CameraParts::of(members.camera))) {
     settings.camera = camera.camera();
   }
   return settings;
@@ -170,12 +171,12 @@ const std::vector<Entry> &settingsTable()
   return table;
 }
 
-const Entry &settingsEntry(const std::string &name)
+const Entry &settingsEntry(std::string_view name)
 {
   const std::vector<Entry> &table = settingsTable();
   const auto found = std::find_if(table.begin(), table.end(), [&](const Entry &entry) { return entry.name() == name; });
   if (found == table.end()) {
-    throw vpException(vpException::fatalError, "There is no setting '" + name + "'");
+    throw vpException(vpException::fatalError, "There is no setting '" + std::string(name) + "'");
   }
   return *found;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace vpSettingsDetail {
 //! The camera in parts, because vpCameraParameters takes them all at once only.
 struct CameraParts
 {
-  explicit CameraParts(const vpCameraParameters &camera);
+  static CameraParts of(const vpCameraParameters &camera);
   vpCameraParameters camera() const;
   bool operator==(const CameraParts &other) const;
 
@@ -70,7 +71,7 @@ struct Entry
 //! Every setting that a file can hold, those of one object in a row.
 const std::vector<Entry> &settingsTable();
 //! \return The entry with this name, which has to exist.
-const Entry &settingsEntry(const std::string &name);
+const Entry &settingsEntry(std::string_view name);
 } // namespace vpSettingsDetail
 END_VISP_NAMESPACE
 #endif

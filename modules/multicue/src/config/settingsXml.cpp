@@ -6,11 +6,10 @@
 #include "config/xmlDocument.h"
 #include "config/xmlNodes.h"
 
-#include <visp3/core/vpException.h>
-#include <visp3/core/vpXmlParserCamera.h>
 #include <visp3/mbt/vpMbtXmlGenericParser.h>
 
-#include <map>
+#include <optional>
+#include <string>
 
 BEGIN_VISP_NAMESPACE
 namespace vpSettingsDetail {
@@ -51,30 +50,32 @@ void takeThreshold(const XmlDocument &document, Draft &draft)
   }
 }
 
-// A file of vpXmlParserCamera.
+// A file of vpXmlParserCamera, which prints, and in some versions makes up what is missing.
 void takeCameraModel(const XmlDocument &document, Draft &draft)
 {
-  static const std::map<std::string, vpCameraParameters::vpCameraParametersProjType> types = {
-      {"perspectiveProjWithoutDistortion", vpCameraParameters::perspectiveProjWithoutDistortion},
-      {"perspectiveProjWithDistortion", vpCameraParameters::perspectiveProjWithDistortion}};
   const pugi::xml_node model = document.find("camera/model");
   const pugi::xml_node camera = model.parent();
   if (camera.next_sibling() || camera.previous_sibling() || model.next_sibling("model")) {
     document.refuse(camera, "a <camera> with a <model> must be the only node in its file, and the <model> the only one "
                             "in its <camera>");
   }
-  const auto type = types.find(model.child_value("type"));
-  if (type == types.end()) {
-    document.refuse(model, std::string("<type> in <model> is '") + model.child_value("type") +
+  const std::string type = model.child_value("type");
+  const bool distorted = type == "perspectiveProjWithDistortion";
+  if (!distorted && type != "perspectiveProjWithoutDistortion") {
+    document.refuse(model, "<type> in <model> is '" + type +
                                "', it must be perspectiveProjWithoutDistortion or perspectiveProjWithDistortion");
   }
-  vpCameraParameters parsed;
-  vpXmlParserCamera parser;
-  if (parser.parse(parsed, document.file(), camera.child_value("name"), type->second) !=
-      vpXmlParserCamera::SEQUENCE_OK) {
-    document.refuse(model, "<model> must have px, py, u0, v0 and, with distortion, kud and kdu");
+  const auto value = [&](const char *name) {
+    if (!model.child(name)) {
+      document.refuse(model, std::string("<") + name + "> is missing in <model>");
+    }
+    return model.child(name).text().as_double();
+  };
+  draft.camera = {value("px"), value("py"), value("u0"), value("v0"), std::nullopt, std::nullopt};
+  if (distorted) {
+    draft.camera.kud = value("kud");
+    draft.camera.kdu = value("kdu");
   }
-  draft.camera = CameraParts(parsed);
 }
 } // namespace
 
