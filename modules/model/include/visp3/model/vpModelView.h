@@ -114,7 +114,8 @@ private:
     std::array<Eigen::Vector2d, 2> pixel;
     std::array<double, 2> depth;
     std::array<double, 2> parameter;
-    double length = 0.; // Pixels.
+    double length = 0.;                    // Pixels.
+    const vpModelCircle *circle = nullptr; // The circle that it is a chord of.
     int edge = -1;
     bool slides = false;
     bool innerEdge = false; // Surface seen on both sides.
