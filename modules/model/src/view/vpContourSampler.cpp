@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "view/vpContourSampler.h"
 
+#include "view/vpCircleFrame.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -21,22 +23,10 @@ template <typename T> T mix(const std::array<T, 2> &ends, double s)
 }
 } // namespace
 
-vpViewCamera::vpViewCamera(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
-                           unsigned int imageHeight)
-    : px(cam.get_px()), py(cam.get_py()), u0(cam.get_u0()), v0(cam.get_v0()), width(imageWidth), height(imageHeight)
-{
-  for (unsigned int i = 0; i < 3; ++i) {
-    for (unsigned int j = 0; j < 3; ++j) {
-      cRo(i, j) = cMo[i][j];
-    }
-    cto(i) = cMo[i][3];
-  }
-  oC = -cRo.transpose() * cto;
-}
-
 vpContourSampler::vpContourSampler(vpModelView &view, const vpViewCamera &camera, const vpModelViewOptions &options,
-                                   bool hasDepth)
-    : m_view(view), m_camera(camera), m_options(options), m_hasDepth(hasDepth),
+                                   const vpDepthProbe &depth)
+    : m_view(view), m_camera(camera), m_options(options), m_depth(depth),
+      m_high(camera.width - 1. - options.border, camera.height - 1. - options.border),
       m_tolerance(hiddenTolerance * view.model().diameter()), m_sideOffset(std::max(2.5, 1.5 / view.m_depth.scale))
 {
   m_view.m_pieces.clear();
@@ -44,20 +34,23 @@ vpContourSampler::vpContourSampler(vpModelView &view, const vpViewCamera &camera
 
 void vpContourSampler::add(const vpModelView::Piece &input)
 {
-  vpModelView::Piece piece = input;
-  const double startBefore = piece.parameter[0];
-  const double endBefore = piece.parameter[1];
+  std::vector<vpModelView::Piece> &pieces = m_view.m_pieces;
+  pieces.push_back(input);
+  vpModelView::Piece &piece = pieces.back();
   if (!clipDepth(piece) || !clipImage(piece)) {
+    pieces.pop_back();
     m_interrupted = true;
     return;
   }
-  piece.joined = !m_interrupted && piece.parameter[0] == startBefore;
-  m_interrupted = piece.parameter[1] != endBefore;
-  m_view.m_pieces.push_back(piece);
+  piece.joined = !m_interrupted && piece.parameter[0] == input.parameter[0];
+  m_interrupted = piece.parameter[1] != input.parameter[1];
 }
 
 void vpContourSampler::cut(vpModelView::Piece &piece, double s0, double s1)
 {
+  if (s0 == 0. && s1 == 1.) {
+    return;
+  }
   const vpModelView::Piece whole = piece;
   const std::array<double, 2> s = {{s0, s1}};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -109,19 +102,18 @@ bool vpContourSampler::clipImage(vpModelView::Piece &piece) const
   // Liang and Barsky: the share [s0, s1] of the image of the piece that is inside all four borders.
   const Eigen::Vector2d a = piece.pixel[0];
   const Eigen::Vector2d d = piece.pixel[1] - a;
-  const Eigen::Vector2d high(m_camera.width - 1. - m_options.border, m_camera.height - 1. - m_options.border);
   double s0 = 0.;
   double s1 = 1.;
   for (int axis = 0; axis < 2; ++axis) {
     const double low = m_options.border;
     if (d[axis] == 0.) {
-      if (a[axis] < low || a[axis] > high[axis]) {
+      if (a[axis] < low || a[axis] > m_high[axis]) {
         return false;
       }
       continue;
     }
     const double sLow = (low - a[axis]) / d[axis];
-    const double sHigh = (high[axis] - a[axis]) / d[axis];
+    const double sHigh = (m_high[axis] - a[axis]) / d[axis];
     s0 = std::max(s0, std::min(sLow, sHigh));
     s1 = std::min(s1, std::max(sLow, sHigh));
   }
@@ -138,6 +130,12 @@ bool vpContourSampler::clipImage(vpModelView::Piece &piece) const
   }
   piece.length = (piece.pixel[1] - piece.pixel[0]).norm();
   return true;
+}
+
+bool vpContourSampler::isInside(const Eigen::Vector2d &pixel) const
+{
+  return pixel.x() >= m_options.border && pixel.x() <= m_high.x() && pixel.y() >= m_options.border &&
+         pixel.y() <= m_high.y();
 }
 
 void vpContourSampler::sample(bool straight)
@@ -188,17 +186,32 @@ void vpContourSampler::sampleRun(std::size_t first, std::size_t last, double tot
   }
 }
 
+// False where the point is out of sight, though its chord is not.
+bool vpContourSampler::place(vpControlPoint &point, const vpModelView::Piece &piece, double s, double t) const
+{
+  point.parameter = mix(piece.parameter, t);
+  if (piece.circle == nullptr) {
+    point.position = mix(piece.position, t);
+    point.direction = mix(piece.direction, t).normalized();
+    point.pixel = mix(piece.pixel, s);
+    return true;
+  }
+  vpCircleFrame(*piece.circle).place(point.parameter, point.position, point.direction);
+  point.pixel = m_camera.project(m_camera.toCamera(point.position));
+  return isInside(point.pixel);
+}
+
 bool vpContourSampler::emit(const vpModelView::Piece &piece, double s, double arcLength)
 {
   const double z0 = piece.depth[0];
   const double z1 = piece.depth[1];
   const double t = s * z0 / (s * z0 + (1. - s) * z1);
   vpControlPoint point;
-  point.position = mix(piece.position, t);
-  point.direction = mix(piece.direction, t).normalized();
-  point.pixel = mix(piece.pixel, s);
+  if (!place(point, piece, s, t)) {
+    return false;
+  }
   const Eigen::Vector3d cX = m_camera.toCamera(point.position);
-  if (m_hasDepth && isHidden(point.pixel, cX.z())) {
+  if (m_depth.isCovered(point.pixel, cX.z() - m_tolerance)) {
     return false;
   }
   // The plane through the camera's centre, the point and its direction cuts the image in the edge's tangent.
@@ -214,7 +227,6 @@ bool vpContourSampler::emit(const vpModelView::Piece &piece, double s, double ar
   point.contour = static_cast<int>(m_view.m_contours.size()) - 1;
   point.arcLength = arcLength;
   point.edge = piece.edge;
-  point.parameter = mix(piece.parameter, t);
   m_view.m_points.push_back(point);
   return true;
 }
@@ -238,19 +250,19 @@ void vpContourSampler::orient(vpControlPoint &point, const Eigen::Vector3d &cX, 
     point.normal = -point.normal;
     point.side = -1.;
   }
-  const bool background = !m_hasDepth || depthAt(point.pixel + m_sideOffset * point.normal) == 0.F;
+  const bool background = m_depth.at(point.pixel + m_sideOffset * point.normal) == 0.F;
   point.kind = background ? vpEdgeKind::SILHOUETTE : vpEdgeKind::INNER;
 }
 
 void vpContourSampler::orientByDepth(vpControlPoint &point, double depth) const
 {
   point.kind = vpEdgeKind::INNER;
-  if (!m_hasDepth) {
+  if (!m_depth.exists()) {
     return;
   }
   const double same = depth + sameSurfaceTolerance * m_view.model().diameter();
-  const double ahead = depthAt(point.pixel + m_sideOffset * point.normal);
-  const double behind = depthAt(point.pixel - m_sideOffset * point.normal);
+  const double ahead = m_depth.at(point.pixel + m_sideOffset * point.normal);
+  const double behind = m_depth.at(point.pixel - m_sideOffset * point.normal);
   const bool surfaceAhead = ahead > 0. && ahead < same;
   const bool surfaceBehind = behind > 0. && behind < same;
   if (surfaceAhead == surfaceBehind) {
@@ -263,27 +275,6 @@ void vpContourSampler::orientByDepth(vpControlPoint &point, double depth) const
   if ((surfaceAhead ? behind : ahead) == 0.) {
     point.kind = vpEdgeKind::SILHOUETTE;
   }
-}
-
-float vpContourSampler::depthAt(const Eigen::Vector2d &pixel) const
-{
-  const int index = m_view.m_depth.index(pixel.x(), pixel.y());
-  return index < 0 ? 0.F : m_view.m_depth.depth[static_cast<std::size_t>(index)];
-}
-
-bool vpContourSampler::isHidden(const Eigen::Vector2d &pixel, double depth) const
-{
-  // An edge is where surfaces end: some pixel around it must show its own depth or something farther.
-  const double step = 1. / m_view.m_depth.scale;
-  for (int i = -1; i <= 1; ++i) {
-    for (int j = -1; j <= 1; ++j) {
-      const float seen = depthAt(pixel + step * Eigen::Vector2d(j, i));
-      if (seen == 0.F || static_cast<double>(seen) >= depth - m_tolerance) {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 END_VISP_NAMESPACE

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "view/vpCurves.h"
 
+#include "view/vpCircleFrame.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -143,19 +145,17 @@ void vpCurves::addCircles(vpContourSampler &sampler) const
     if (!m_facesSeen[static_cast<std::size_t>(circle.face)] || z < m_options.nearDistance) {
       continue;
     }
-    // Chords of four pixels stay within a few hundredths of a pixel of the circle.
+    // Chords of four pixels are as good as the circle when it comes to what the image border or a distance cuts off.
     const double around = 2. * M_PI * circle.radius * m_camera.px / z;
     const int count = static_cast<int>(std::min(std::max(around / 4., 32.), 512.));
-    const Eigen::Vector3d x = circle.normal.unitOrthogonal();
-    const Eigen::Vector3d y = circle.normal.cross(x);
+    const vpCircleFrame frame(circle);
     vpModelView::Piece piece;
     piece.edge = edge;
+    piece.circle = &circle;
     piece.outward = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}};
     for (int i = 0; i <= count; ++i) {
-      const double angle = 2. * M_PI * i / count;
-      piece.position[1] = circle.centre + circle.radius * (std::cos(angle) * x + std::sin(angle) * y);
-      piece.direction[1] = -std::sin(angle) * x + std::cos(angle) * y;
       piece.parameter[1] = static_cast<double>(i) / count;
+      frame.place(piece.parameter[1], piece.position[1], piece.direction[1]);
       if (i > 0) {
         sampler.add(piece);
       }

@@ -50,7 +50,8 @@ vpModelTopology::vpModelTopology(const vpTrackedModel &model)
 {
   linkEdges(model);
   findSides(model);
-  joinSmoothTriangles(model);
+  collectFacings(model);
+  joinSmoothTriangles();
 }
 
 void vpModelTopology::linkEdges(const vpTrackedModel &model)
@@ -135,25 +136,41 @@ void vpModelTopology::findSides(const vpTrackedModel &model)
   }
 }
 
-void vpModelTopology::joinSmoothTriangles(const vpTrackedModel &model)
+void vpModelTopology::collectFacings(const vpTrackedModel &model)
 {
-  m_normalVertex.assign(model.normals().size(), -1);
-  m_neighbours.assign(model.smoothTriangles().size(), std::array<int, 3>{{-1, -1, -1}});
-  if (model.smoothTriangles().empty()) {
-    return;
+  std::vector<int> index(model.normals().size(), -1);
+  m_facingCorners.resize(model.smoothTriangles().size());
+  for (std::size_t i = 0; i < m_facingCorners.size(); ++i) {
+    const vpModelTriangle &triangle = model.triangles()[static_cast<std::size_t>(model.smoothTriangles()[i])];
+    for (std::size_t k = 0; k < 3; ++k) {
+      int &facing = index[static_cast<std::size_t>(triangle.normal[k])];
+      if (facing < 0) {
+        facing = static_cast<int>(m_facings.x.size());
+        const Eigen::Vector3d &normal = model.normals()[static_cast<std::size_t>(triangle.normal[k])];
+        const Eigen::Vector3d &vertex = model.vertices()[static_cast<std::size_t>(triangle.vertex[k])];
+        m_facings.x.push_back(static_cast<float>(normal.x()));
+        m_facings.y.push_back(static_cast<float>(normal.y()));
+        m_facings.z.push_back(static_cast<float>(normal.z()));
+        m_facings.offset.push_back(static_cast<float>(normal.dot(vertex)));
+      }
+      m_facingCorners[i][k] = facing;
+    }
   }
+}
+
+void vpModelTopology::joinSmoothTriangles()
+{
   struct Side
   {
     std::size_t triangle;
     std::size_t corner;
   };
+  m_neighbours.assign(m_facingCorners.size(), std::array<int, 3>{{-1, -1, -1}});
   std::unordered_map<std::uint64_t, Side> open;
-  open.reserve(model.smoothTriangles().size() * 2);
-  for (std::size_t i = 0; i < model.smoothTriangles().size(); ++i) {
-    const vpModelTriangle &triangle = model.triangles()[static_cast<std::size_t>(model.smoothTriangles()[i])];
+  open.reserve(m_facingCorners.size() * 2);
+  for (std::size_t i = 0; i < m_facingCorners.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      m_normalVertex[static_cast<std::size_t>(triangle.normal[k])] = triangle.vertex[k];
-      const auto ends = std::minmax(triangle.normal[k], triangle.normal[(k + 1) % 3]);
+      const auto ends = std::minmax(m_facingCorners[i][k], m_facingCorners[i][(k + 1) % 3]);
       const std::uint64_t key =
           (static_cast<std::uint64_t>(ends.first) << 32) | static_cast<std::uint64_t>(ends.second);
       const auto found = open.find(key);

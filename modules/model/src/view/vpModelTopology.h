@@ -36,8 +36,15 @@ public:
   */
   const std::vector<Eigen::Vector3d> &intoFace() const { return m_intoFace; }
 
-  //! Vertex of a corner normal, -1 where no smooth triangle uses it.
-  const std::vector<int> &normalVertex() const { return m_normalVertex; }
+  //! A corner normal n at vertex v of a smooth triangle, in the form that tells fast where it faces: n and n v.
+  struct Facings
+  {
+    std::vector<float> x, y, z;
+    std::vector<float> offset;
+  };
+  const Facings &facings() const { return m_facings; }
+  //! For corner k of smooth triangle i at [i][k]: its index in facings().
+  const std::vector<std::array<int, 3>> &facingCorners() const { return m_facingCorners; }
   //! For corner k of smooth triangle i at [i][k]: the smooth triangle across the side from corner k to corner k + 1, or
   //! -1.
   const std::vector<std::array<int, 3>> &neighbours() const { return m_neighbours; }
@@ -47,12 +54,14 @@ private:
   void walkChain(const vpTrackedModel &model, int edge, const std::vector<std::vector<int>> &edgesAt,
                  std::vector<char> &used);
   void findSides(const vpTrackedModel &model);
-  void joinSmoothTriangles(const vpTrackedModel &model);
+  void collectFacings(const vpTrackedModel &model);
+  void joinSmoothTriangles();
 
   std::vector<Chain> m_chains;
   std::vector<Link> m_links;
   std::vector<Eigen::Vector3d> m_intoFace;
-  std::vector<int> m_normalVertex;
+  Facings m_facings;
+  std::vector<std::array<int, 3>> m_facingCorners;
   std::vector<std::array<int, 3>> m_neighbours;
 };
 

@@ -99,7 +99,7 @@ void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParamete
     depthOptions.nearDistance = options.nearDistance;
     renderer->render(cMo, cam, imageWidth, imageHeight, depthOptions, m_depth);
   }
-  vpContourSampler sampler(*this, camera, options, hasDepth);
+  vpContourSampler sampler(*this, camera, options, vpDepthProbe(hasDepth ? &m_depth : nullptr));
   const vpCurves curves(*m_model, *m_topology, m_facesSeen, camera, options);
   curves.addEdges(sampler);
   curves.addLimbs(sampler);

@@ -17,19 +17,24 @@ const vpModelTriangle &vpRimTracer::triangleAt(std::size_t index) const
 
 void vpRimTracer::computeFacing()
 {
-  m_view.m_facing.resize(m_model.normals().size());
-  for (std::size_t i = 0; i < m_model.normals().size(); ++i) {
-    const int vertex = m_topology.normalVertex()[i];
-    if (vertex >= 0) {
-      const Eigen::Vector3d sight = m_model.vertices()[static_cast<std::size_t>(vertex)] - m_camera.oC;
-      m_view.m_facing[i] = static_cast<float>(m_model.normals()[i].dot(sight));
-    }
+  // A loop over plain arrays, which compilers turn into vector instructions: it visits every normal of the mesh.
+  const vpModelTopology::Facings &normals = m_topology.facings();
+  const Eigen::Vector3f oC = m_camera.oC.cast<float>();
+  const std::size_t count = normals.offset.size();
+  m_view.m_facing.resize(count);
+  float *facing = m_view.m_facing.data();
+  const float *x = normals.x.data();
+  const float *y = normals.y.data();
+  const float *z = normals.z.data();
+  const float *offset = normals.offset.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    facing[i] = offset[i] - (x[i] * oC.x() + y[i] * oC.y() + z[i] * oC.z());
   }
 }
 
 float vpRimTracer::facing(std::size_t triangle, std::size_t corner) const
 {
-  return m_view.m_facing[static_cast<std::size_t>(triangleAt(triangle).normal[corner % 3])];
+  return m_view.m_facing[static_cast<std::size_t>(m_topology.facingCorners()[triangle][corner % 3])];
 }
 
 bool vpRimTracer::crosses(std::size_t triangle, std::size_t side) const
@@ -37,9 +42,20 @@ bool vpRimTracer::crosses(std::size_t triangle, std::size_t side) const
   return (facing(triangle, side) < 0.F) != (facing(triangle, side + 1) < 0.F);
 }
 
-bool vpRimTracer::hasRim(std::size_t triangle) const
+std::size_t vpRimTracer::nextRim(std::size_t triangle) const
 {
-  return crosses(triangle, 0) || crosses(triangle, 1);
+  // Of all that is done for a rim this alone looks at every triangle.
+  const std::size_t count = m_topology.facingCorners().size();
+  const std::array<int, 3> *corners = m_topology.facingCorners().data();
+  const float *facing = m_view.m_facing.data();
+  for (; triangle < count; ++triangle) {
+    const std::array<int, 3> &corner = corners[triangle];
+    const bool first = facing[corner[0]] < 0.F;
+    if (first != (facing[corner[1]] < 0.F) || first != (facing[corner[2]] < 0.F)) {
+      break;
+    }
+  }
+  return triangle;
 }
 
 std::size_t vpRimTracer::otherSide(std::size_t triangle, std::size_t side) const
@@ -70,27 +86,39 @@ void vpRimTracer::trace(vpContourSampler &sampler)
   computeFacing();
   std::vector<char> &visited = m_view.m_visited;
   visited.assign(m_model.smoothTriangles().size(), 0);
-  for (std::size_t i = 0; i < visited.size(); ++i) {
-    if (visited[i] || !hasRim(i)) {
-      continue;
+  for (std::size_t i = nextRim(0); i < visited.size(); i = nextRim(i + 1)) {
+    if (!visited[i]) {
+      traceFrom(i, sampler);
     }
-    // Back to where the curve begins, or once around a closed one.
-    const std::size_t side = crosses(i, 0) ? 0 : 1;
-    Step step{i, side};
-    for (Step probe = step; advance(probe) && probe.triangle != i;) {
-      step = probe;
-    }
-    step.side = otherSide(step.triangle, step.side);
-    do {
-      visited[step.triangle] = 1;
-      if (isConvexRim(step.triangle)) {
-        addPiece(sampler, step.triangle, otherSide(step.triangle, step.side), step.side);
-      } else {
-        sampler.interrupt();
-      }
-    } while (advance(step) && !visited[step.triangle]);
-    sampler.sample(false);
   }
+}
+
+void vpRimTracer::traceFrom(std::size_t triangle, vpContourSampler &sampler)
+{
+  // Back to where the curve begins, or once around a closed one.
+  Step step{triangle, crosses(triangle, 0) ? 0U : 1U};
+  for (Step probe = step; advance(probe) && probe.triangle != triangle;) {
+    step = probe;
+  }
+  std::vector<char> &visited = m_view.m_visited;
+  vpModelView::Piece piece;
+  piece.parameter = {{0., 1.}};
+  piece.slides = true;
+  setEnd(piece, step.triangle, step.side);
+  step.side = otherSide(step.triangle, step.side);
+  do {
+    visited[step.triangle] = 1;
+    piece.position[0] = piece.position[1];
+    piece.direction[0] = piece.direction[1];
+    piece.outward[0] = piece.outward[1];
+    setEnd(piece, step.triangle, step.side);
+    if (isConvexRim(step.triangle)) {
+      sampler.add(piece);
+    } else {
+      sampler.interrupt();
+    }
+  } while (advance(step) && !visited[step.triangle]);
+  sampler.sample(false);
 }
 
 bool vpRimTracer::isConvexRim(std::size_t triangle) const
@@ -111,31 +139,20 @@ bool vpRimTracer::isConvexRim(std::size_t triangle) const
   return gradient.dot(a - m_camera.oC) > 0.;
 }
 
-void vpRimTracer::addPiece(vpContourSampler &sampler, std::size_t triangle, std::size_t entry, std::size_t exit) const
-{
-  vpModelView::Piece piece;
-  setEnd(piece, 0, triangle, entry);
-  setEnd(piece, 1, triangle, exit);
-  piece.parameter = {{0., 1.}};
-  piece.slides = true;
-  sampler.add(piece);
-}
-
-void vpRimTracer::setEnd(vpModelView::Piece &piece, std::size_t end, std::size_t triangle, std::size_t side) const
+void vpRimTracer::setEnd(vpModelView::Piece &piece, std::size_t triangle, std::size_t side) const
 {
   const vpModelTriangle &t = triangleAt(triangle);
   const std::size_t next = (side + 1) % 3;
   const double g0 = facing(triangle, side);
   const double g1 = facing(triangle, next);
   const double s = g0 / (g0 - g1);
-  piece.position[end] = (1. - s) * m_model.vertices()[static_cast<std::size_t>(t.vertex[side])] +
-                        s * m_model.vertices()[static_cast<std::size_t>(t.vertex[next])];
-  const Eigen::Vector3d normal = ((1. - s) * m_model.normals()[static_cast<std::size_t>(t.normal[side])] +
-                                  s * m_model.normals()[static_cast<std::size_t>(t.normal[next])])
-                                     .normalized();
+  piece.position[1] = (1. - s) * m_model.vertices()[static_cast<std::size_t>(t.vertex[side])] +
+                      s * m_model.vertices()[static_cast<std::size_t>(t.vertex[next])];
+  const Eigen::Vector3d normal = (1. - s) * m_model.normals()[static_cast<std::size_t>(t.normal[side])] +
+                                 s * m_model.normals()[static_cast<std::size_t>(t.normal[next])];
   // In the image a rim runs perpendicular to the surface's normal, which is smoother than the triangles' bits of curve.
-  piece.direction[end] = normal.cross(piece.position[end] - m_camera.oC).normalized();
-  piece.outward[end] = m_model.faces()[static_cast<std::size_t>(t.face)].oriented ? normal : Eigen::Vector3d::Zero();
+  piece.direction[1] = normal.cross(piece.position[1] - m_camera.oC);
+  piece.outward[1] = m_model.faces()[static_cast<std::size_t>(t.face)].oriented ? normal : Eigen::Vector3d::Zero();
 }
 
 END_VISP_NAMESPACE

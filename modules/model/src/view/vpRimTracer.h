@@ -30,12 +30,14 @@ private:
   void computeFacing();
   float facing(std::size_t triangle, std::size_t corner) const;
   bool crosses(std::size_t triangle, std::size_t side) const;
-  bool hasRim(std::size_t triangle) const;
+  //! The first triangle from this one on that a rim crosses; their number where there is none.
+  std::size_t nextRim(std::size_t triangle) const;
+  void traceFrom(std::size_t triangle, vpContourSampler &sampler);
   std::size_t otherSide(std::size_t triangle, std::size_t side) const;
   bool advance(Step &step) const;
   bool isConvexRim(std::size_t triangle) const;
-  void addPiece(vpContourSampler &sampler, std::size_t triangle, std::size_t entry, std::size_t exit) const;
-  void setEnd(vpModelView::Piece &piece, std::size_t end, std::size_t triangle, std::size_t side) const;
+  //! Sets the second end of a piece to where the rim crosses a side.
+  void setEnd(vpModelView::Piece &piece, std::size_t triangle, std::size_t side) const;
   const vpModelTriangle &triangleAt(std::size_t index) const;
 
   vpModelView &m_view;

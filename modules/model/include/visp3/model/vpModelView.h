@@ -112,12 +112,13 @@ private:
   struct Piece
   {
     std::array<Eigen::Vector3d, 2> position;  // Ends, object frame.
-    std::array<Eigen::Vector3d, 2> direction; // Of the curve at the ends, object frame.
+    std::array<Eigen::Vector3d, 2> direction; // Of the curve at the ends, object frame, any length.
     std::array<Eigen::Vector3d, 2> outward;   // Away from the surface at the ends, object frame; zero: not known.
     std::array<Eigen::Vector2d, 2> pixel;
     std::array<double, 2> depth;
     std::array<double, 2> parameter;
-    double length = 0.; // Pixels.
+    double length = 0.;                    // Pixels.
+    const vpModelCircle *circle = nullptr; // The circle that it is a chord of.
     int edge = -1;
     bool slides = false;
     bool innerEdge = false; // Surface seen on both sides.
@@ -130,7 +131,7 @@ private:
   std::vector<vpControlPoint> m_points;
   std::vector<vpContour> m_contours;
   std::vector<char> m_facesSeen;
-  std::vector<float> m_facing; // Of the corner normals: negative towards the camera.
+  std::vector<float> m_facing; // Of the smooth triangles' corners: negative towards the camera.
   std::vector<char> m_visited; // Smooth triangles that a rim was traced over.
   std::vector<Piece> m_pieces; // Of the curve being sampled.
   bool m_hasSlidingRims = false;
