@@ -4,6 +4,8 @@
 #include "edge/vpEdgeSearch.h"
 #include "edge/vpProjectedLine.h"
 
+#include <visp3/core/vpException.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,8 +54,12 @@ void vpEdgeCue::remember(const Match &match, const Memory &memory)
   if (match.point.edge < 0) {
     return;
   }
-  const int first = binOf(match.point.parameter - 0.5 * match.reach);
-  const int last = binOf(match.point.parameter + 0.5 * match.reach);
+  // The bins whose middles are within reach, so that neighbours share none, and in any case the point's own.
+  const int own = binOf(match.point.parameter);
+  const double middle = match.point.parameter * binsPerEdge - 0.5;
+  const double half = 0.5 * match.reach * binsPerEdge;
+  const int first = std::max(std::min(static_cast<int>(std::ceil(middle - half)), own), 0);
+  const int last = std::min(std::max(static_cast<int>(std::ceil(middle + half)) - 1, own), binsPerEdge - 1);
   for (int bin = first; bin <= last; ++bin) {
     m_memory[static_cast<std::size_t>(match.point.edge * binsPerEdge + bin)] = memory;
   }
@@ -174,6 +180,14 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block
 
 void vpEdgeCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)
 {
+  const auto hasRow = [](const Match &match) { return match.count > 0; };
+  const std::ptrdiff_t rows = std::count_if(m_matches.begin(), m_matches.end(), hasRow);
+  if (static_cast<std::ptrdiff_t>(weights.size()) != rows) {
+    throw vpException(
+        vpException::dimensionError,
+        "vpEdgeCue::updateReference() was given %zu weights for %zu rows: pass one for each of residuals()",
+        weights.size(), static_cast<std::size_t>(rows));
+  }
   const vpLineProjector project(cMo);
   std::size_t row = 0;
   for (const Match &match : m_matches) {

@@ -71,6 +71,7 @@ public:
     Learns from the matched frame.
     \param cMo Pose that is trusted.
     \param weights Robust weights of the rows of residuals(), in [0, 1].
+    \throw vpException where there is not one weight for each row.
   */
   virtual void updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights) = 0;
 
