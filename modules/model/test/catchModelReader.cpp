@@ -219,6 +219,7 @@ TEST_CASE("Files that are no good are named")
     const std::string name = "noise." + extension;
     CHECK_THAT(messageOf(folder.write(name, "\x01\x02 what is this? \xff\xfe { < ")), ContainsSubstring(name));
   }
+  CHECK_THAT(messageOf(folder.write("cut.ply", meshFiles::ply(box(1.)).substr(0, 60))), ContainsSubstring("cut.ply"));
   const std::string cut = meshFiles::binaryStl(box(1.)).substr(0, 200);
   CHECK_THAT(messageOf(folder.write("cut.stl", cut)), ContainsSubstring("cut.stl"));
 }

@@ -59,6 +59,13 @@ template <class Primitive> Eigen::Vector3d normalOf(const Primitive &circle, con
   return normal.normalized();
 }
 
+void describeBox(const BoundingBox &box, vpModelReport &report)
+{
+  report.size = box.upper - box.lower;
+  report.diameter = box.diagonal();
+  report.centreOffset = 0.5 * (box.lower + box.upper);
+}
+
 void countParts(ModelParts &parts)
 {
   const std::vector<char> surface = facesWithSurface(parts);
@@ -179,9 +186,7 @@ vpTrackedModel vpTrackedModelBuilder::build(const std::string &file) const
   vpModelReport &report = parts.report;
   report.file = file;
   report.unit = m_options.unit;
-  report.size = box.upper - box.lower;
-  report.diameter = box.diagonal();
-  report.centreOffset = 0.5 * (box.lower + box.upper);
+  describeBox(box, report);
   report.missingImages = m_missingImages;
   VertexPool pool(box.lower, report.diameter, m_options.weldTolerance * report.diameter, m_triangles.size(),
                   parts.vertices);
