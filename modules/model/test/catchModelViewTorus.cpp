@@ -22,6 +22,12 @@ Point tubePoint(double u, double v)
   return ringRadius * Point(std::cos(u), std::sin(u), 0.) + tubeRadius * tubeNormal(u, v);
 }
 
+//! Distance from the surface, positive outside.
+double height(const Point &point)
+{
+  return std::hypot(point.head<2>().norm() - ringRadius, point.z()) - tubeRadius;
+}
+
 std::vector<Triangle> torusTriangles(int sectors, int sides)
 {
   const auto at = [&](int i, int j) {
@@ -100,6 +106,7 @@ TEST_CASE("Control points of a torus are on rims that can be seen")
     double worst = 0.;
     int hidden = 0;
     int wrongSide = 0;
+    int inHollow = 0;
     for (const vpControlPoint &point : view.points()) {
       const double u = std::atan2(point.position.y(), point.position.x());
       const double across = std::hypot(point.position.x(), point.position.y()) - ringRadius;
@@ -107,7 +114,11 @@ TEST_CASE("Control points of a torus are on rims that can be seen")
       worst = std::max(worst, std::fabs(normal.dot((point.position - looker.centre()).normalized())));
       hidden += isWellHidden(looker, point.position + 0.001 * normal, 5., 0.002) ? 1 : 0;
       wrongSide += point.normal.dot(looker.project(point.position + 0.001 * normal) - point.pixel) > 0. ? 0 : 1;
+      // Before and behind a rim the line of sight is outside the tube, at a hollow's turning point inside.
+      const Point ahead = 0.002 * (point.position - looker.centre()).normalized();
+      inHollow += height(point.position + ahead) + height(point.position - ahead) < 2. * height(point.position) ? 1 : 0;
     }
+    CHECK(inHollow == 0);
     CHECK(worst < 0.03);
     CHECK(hidden == 0);
     CHECK(wrongSide == 0);
