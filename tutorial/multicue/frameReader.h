@@ -32,7 +32,7 @@ public:
   virtual double framesPerSecond() const { return 0.; }
 
 protected:
-  int m_number = -1;
+  int m_number = -1; //!< Of the frame that was read last.
 };
 
 /*!

@@ -21,11 +21,11 @@ using namespace VISP_NAMESPACE_NAME;
 */
 vpHomogeneousMatrix readPose(const std::string &file);
 
-//! Points of the object, metres in its frame, and where they are in the image, in the same order.
+//! Points of the object and where they are in the image, in the same order.
 struct PointPairs
 {
-  std::vector<vpPoint> object;
-  std::vector<vpImagePoint> image;
+  std::vector<vpPoint> object;     //!< Metres, in the object's frame.
+  std::vector<vpImagePoint> image; //!< Rows and columns, pixels.
 };
 
 /*!

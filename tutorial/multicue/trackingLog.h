@@ -17,10 +17,10 @@ using namespace VISP_NAMESPACE_NAME;
 //! What is known of a frame after it was tracked.
 struct TrackedFrame
 {
-  int number;
-  vpHomogeneousMatrix cMo;
-  double milliseconds;
-  vpTrackingState state;
+  int number = 0;                                     //!< Of the frame in its source.
+  vpHomogeneousMatrix cMo;                            //!< Object to camera, metres.
+  double milliseconds = 0.;                           //!< That track() took.
+  vpTrackingState state = vpTrackingState::UNCERTAIN; //!< How it went.
 };
 
 //! Writes the poses while the program runs, and a summary at the end.

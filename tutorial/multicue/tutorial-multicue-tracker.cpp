@@ -139,21 +139,23 @@ void addProjectionError(TrackingLog &log, vpMbMultiCueTracker &tracker, const vp
   log.addProjectionError(tracker.computeCurrentProjectionError(gray, cMo, cam));
 }
 
-double framesPerSecond(const TrackerOptions &options, const FrameReader &frames)
+// Null where nothing is to be saved.
+std::unique_ptr<OverlayWriter> openOverlay(const TrackerOptions &options, const FrameReader &frames)
 {
+  if (options.save.empty()) {
+    return nullptr;
+  }
   const double usual = 25.;
   const double source = frames.framesPerSecond() > 0. ? frames.framesPerSecond() : usual;
-  return options.framesPerSecond > 0. ? options.framesPerSecond : source / options.step;
+  const double saved = options.framesPerSecond > 0. ? options.framesPerSecond : source / options.step;
+  return std::make_unique<OverlayWriter>(options.save, saved);
 }
 
 void run(const TrackerOptions &options)
 {
   const std::unique_ptr<FrameReader> frames = openFrames(options);
   TrackingLog log(options.poses, options.summary);
-  std::unique_ptr<OverlayWriter> overlay;
-  if (!options.save.empty()) {
-    overlay = std::make_unique<OverlayWriter>(options.save, framesPerSecond(options, *frames));
-  }
+  const std::unique_ptr<OverlayWriter> overlay = openOverlay(options, *frames);
   vpImage<vpRGBa> I;
   if (!frames->next(I)) {
     throw vpException(vpException::ioError, "There is no frame: is --first beyond the end?");

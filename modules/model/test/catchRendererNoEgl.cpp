@@ -45,6 +45,7 @@ TEST_CASE("Without EGL there is a CPU renderer, and the reason is told once", "[
   CHECK_THROWS_AS(vpEglRenderer(box), vpException);
 
   vpRenderedView view;
-  first->render(vpHomogeneousMatrix(0., 0., 0.5, 0.1, 0.2, 0.3), makeCamera(), 640, 480, vpRenderOptions(), view);
+  first->render(vpHomogeneousMatrix(0., 0., 0.5, 0.1, 0.2, 0.3), makeCamera(), imageWidth, imageHeight,
+                vpRenderOptions(), view);
   CHECK(coveredPixels(view) > 1000);
 }

@@ -2,7 +2,7 @@
 #ifndef renderModels_h
 #define renderModels_h
 
-#include <visp3/model/vpModelRenderer.h>
+#include <visp3/model/vpCpuRenderer.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
 
 #include <algorithm>
@@ -135,6 +135,35 @@ inline double depthAt(const vpRenderedView &view, double u, double v)
 {
   const int index = view.index(u, v);
   return index < 0 ? 0. : static_cast<double>(view.depth[static_cast<std::size_t>(index)]);
+}
+
+constexpr unsigned int imageWidth = 640;
+constexpr unsigned int imageHeight = 480;
+
+inline vpRenderedView renderOnCpu(const ModelPointer &model, const vpHomogeneousMatrix &cMo,
+                                  const vpCameraParameters &cam, const vpRenderOptions &options = vpRenderOptions())
+{
+  vpRenderedView view;
+  vpCpuRenderer(model).render(cMo, cam, imageWidth, imageHeight, options, view);
+  return view;
+}
+
+inline vpRenderOptions allChannels(double scale = 1.)
+{
+  vpRenderOptions options;
+  options.scale = scale;
+  options.channels = vpRenderOptions::DEPTH | vpRenderOptions::NORMAL | vpRenderOptions::FACE | vpRenderOptions::COLOR;
+  return options;
+}
+
+//! Image point of the centre of crop pixel (row, column), as vpRenderedView documents it.
+inline double imageColumn(const vpRenderedView &view, int column)
+{
+  return (view.left + column + 0.5) / view.scale - 0.5;
+}
+inline double imageRow(const vpRenderedView &view, int row)
+{
+  return (view.top + row + 0.5) / view.scale - 0.5;
 }
 
 #endif

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
+namespace {
 double translationError(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &truth)
 {
   return (cMo.getTranslationVector() - truth.getTranslationVector()).frobeniusNorm();
@@ -61,12 +60,13 @@ std::pair<double, double> follow(vpMbMultiCueTracker &tracker, renderedBox &box,
 }
 } // namespace
 
-TEST_CASE("A box is followed, with one candidate and with several, from .cao and .obj, by both minimisations", "[tracker]")
+TEST_CASE("A box is followed, with one candidate and with several, from .cao and .obj, by both minimisations",
+          "[tracker]")
 {
   renderedBox box;
   const std::string cao = renderedBox::writeCao("followed-box.cao");
   const std::string obj = renderedBox::writeObj("followed-box.obj", 1000.);
-  for (const std::string model : {cao, obj}) {
+  for (const std::string &model : {cao, obj}) {
     for (const unsigned int candidates : {1U, 3U}) {
       for (const vpMbTracker::vpMbtOptimizationMethod method :
            {vpMbTracker::GAUSS_NEWTON_OPT, vpMbTracker::LEVENBERG_MARQUARDT_OPT}) {
@@ -187,7 +187,8 @@ TEST_CASE("What is displayed are the visible edges", "[tracker]")
   double shown = 0.;
   double all = 0.;
   for (const bool full : {false, true}) {
-    for (const std::vector<double> &line : tracker.getModelForDisplay(640, 480, renderedBox::pose(), renderedBox::camera(), full)) {
+    for (const std::vector<double> &line :
+         tracker.getModelForDisplay(640, 480, renderedBox::pose(), renderedBox::camera(), full)) {
       REQUIRE(line.size() == 5);
       CHECK(line[0] == 0.);
       (full ? all : shown) += std::hypot(line[1] - line[3], line[2] - line[4]);

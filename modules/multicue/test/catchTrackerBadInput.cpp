@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace
-{
+namespace {
 // A tracker that follows the box, and what it must go on doing after every refused input.
 struct Fixture
 {
@@ -58,7 +57,8 @@ TEST_CASE("A model file that is missing, empty or broken is refused by name, and
     file.close();
     CHECK_THAT(messageOf([&] { f.tracker.loadModel(name); }), ContainsSubstring(name));
   }
-  for (const std::string text : {"V1\n", "V1\n3\n0 0 0\n1 0", "rubbish", "V1\n0\n0\n0\n0\n0\n0\n", "V1\nload(\"nothing.cao\")\n"}) {
+  for (const std::string text :
+       {"V1\n", "V1\n3\n0 0 0\n1 0", "rubbish", "V1\n0\n0\n0\n0\n0\n0\n", "V1\nload(\"nothing.cao\")\n"}) {
     std::ofstream file("broken-model.cao");
     file << text;
     file.close();
@@ -75,7 +75,8 @@ TEST_CASE("A model in millimetres read as metres is refused with its size", "[tr
   const std::string message = messageOf([&] { f.tracker.loadModel(name); });
   CHECK_THAT(message, ContainsSubstring("millimetres.obj"));
   CHECK_THAT(message, ContainsSubstring("246")); // The diagonal of 200 x 120 x 80.
-  CHECK_THAT(messageOf([&] { f.tracker.loadModel(renderedBox::writeCao("millimetres.cao", 1000.)); }), ContainsSubstring("246"));
+  CHECK_THAT(messageOf([&] { f.tracker.loadModel(renderedBox::writeCao("millimetres.cao", 1000.)); }),
+             ContainsSubstring("246"));
   f.requireUsable();
 
   vpMbMultiCueTracker tracker;
@@ -91,7 +92,8 @@ TEST_CASE("Images without pixels or of another size are refused", "[tracker]")
   Fixture f;
   CHECK_THAT(messageOf([&] { f.tracker.track(vpImage<unsigned char>()); }), ContainsSubstring("0 x 0"));
   CHECK_THAT(messageOf([&] { f.tracker.track(vpImage<vpRGBa>()); }), ContainsSubstring("0 x 0"));
-  CHECK_THAT(messageOf([&] { f.tracker.initFromPose(vpImage<unsigned char>(), renderedBox::pose()); }), ContainsSubstring("0 x 0"));
+  CHECK_THAT(messageOf([&] { f.tracker.initFromPose(vpImage<unsigned char>(), renderedBox::pose()); }),
+             ContainsSubstring("0 x 0"));
   const std::string message = messageOf([&] { f.tracker.track(vpImage<unsigned char>(240, 320)); });
   CHECK_THAT(message, ContainsSubstring("320 x 240"));
   CHECK_THAT(message, ContainsSubstring("640 x 480"));
@@ -141,7 +143,8 @@ TEST_CASE("A configuration file with an unknown node is refused by name, and not
   const std::string message = messageOf([&] { f.tracker.loadConfigFile("unknown-node.xml", false); });
   CHECK_THAT(message, ContainsSubstring("unknown-node.xml"));
   CHECK_THAT(message, ContainsSubstring("emc"));
-  CHECK_THAT(messageOf([&] { f.tracker.loadConfigFile("no-such-file.xml", false); }), ContainsSubstring("no-such-file.xml"));
+  CHECK_THAT(messageOf([&] { f.tracker.loadConfigFile("no-such-file.xml", false); }),
+             ContainsSubstring("no-such-file.xml"));
   f.requireUsable();
 }
 

@@ -18,8 +18,8 @@
 BEGIN_VISP_NAMESPACE
 
 /*!
-  A box of 20 x 12 x 8 cm whose six sides have gray levels of their own, drawn with anti-aliasing on a plain background, and the
-  model files that go with it.
+  A box of 20 x 12 x 8 cm whose six sides have gray levels of their own, drawn with anti-aliasing on a plain background,
+  and the model files that go with it.
 */
 class renderedBox
 {
@@ -82,8 +82,8 @@ public:
       for (const Eigen::Vector3d &corner : side) {
         file << "v " << corner.x() << " " << corner.y() << " " << corner.z() << "\n";
       }
-      file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3 << " " << count + 4
-           << "\n";
+      file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3
+           << " " << count + 4 << "\n";
       count += 4;
     }
     return name;

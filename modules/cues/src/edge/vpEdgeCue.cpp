@@ -4,6 +4,8 @@
 #include "edge/vpEdgeSearch.h"
 #include "edge/vpProjectedLine.h"
 
+#include <visp3/core/vpException.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +38,6 @@ void vpEdgeCue::setSettings(const vpEdgeCueSettings &settings)
 void vpEdgeCue::reset()
 {
   m_memory.clear();
-  m_matches.clear();
-  m_candidates.clear();
 }
 
 const vpEdgeCue::Memory *vpEdgeCue::recall(const vpControlPoint &point) const
@@ -54,51 +54,67 @@ void vpEdgeCue::remember(const Match &match, const Memory &memory)
   if (match.point.edge < 0) {
     return;
   }
-  const int first = binOf(match.point.parameter - 0.5 * match.reach);
-  const int last = binOf(match.point.parameter + 0.5 * match.reach);
+  // The bins whose middles are within reach, so that neighbours share none, and in any case the point's own.
+  const int own = binOf(match.point.parameter);
+  const double middle = match.point.parameter * binsPerEdge - 0.5;
+  const double half = 0.5 * match.reach * binsPerEdge;
+  const int first = std::max(std::min(static_cast<int>(std::ceil(middle - half)), own), 0);
+  const int last = std::min(std::max(static_cast<int>(std::ceil(middle + half)) - 1, own), binsPerEdge - 1);
   for (int bin = first; bin <= last; ++bin) {
     m_memory[static_cast<std::size_t>(match.point.edge * binsPerEdge + bin)] = memory;
   }
 }
 
 namespace {
-// Distance to the next control point of the same edge; a point alone on its edge stands for all of it.
+// Distance to the nearer neighbour on the same model edge; a point alone on its edge stands for all of it.
 double reachOf(const std::vector<vpControlPoint> &points, std::size_t i)
 {
-  const vpControlPoint &point = points[i];
+  double reach = 2.;
   for (const std::size_t other : {i + 1, i - 1}) {
-    if (other < points.size() && points[other].edge == point.edge && points[other].contour == point.contour) {
-      return std::fabs(points[other].parameter - point.parameter);
+    if (other < points.size() && points[other].edge == points[i].edge) {
+      reach = std::min(reach, std::fabs(points[other].parameter - points[i].parameter));
     }
   }
-  return 1.;
+  return reach;
 }
 
-// The candidates that may be the edge that was seen before, the most alike first.
-vpFeatureState select(const std::vector<vpEdgeSearch::Extremum> &extrema, const float *reference,
-                      const vpEdgeCueSettings &settings, std::vector<vpEdgeSearch::Extremum> &selected)
+void dropMasked(const vpCueFrame &frame, const vpControlPoint &point, vpEdgeSearch::Extrema &extrema)
 {
-  selected.clear();
-  if (extrema.empty()) {
-    return vpFeatureState::THRESHOLD;
+  extrema.last = std::remove_if(extrema.first, extrema.last, [&](const vpEdgeSearch::Extremum &extremum) {
+    const Eigen::Vector2d pixel = point.pixel + extremum.offset * point.normal;
+    return frame.isMasked(pixel.x(), pixel.y());
+  });
+}
+
+// Keeps the extrema that may be the edge that was seen before, the most alike first.
+void select(vpEdgeSearch::Extrema &extrema, const float *reference, const vpEdgeCueSettings &settings)
+{
+  const double remembered = reference == nullptr ? 0. : static_cast<double>(*reference);
+  if (reference != nullptr) {
+    extrema.last = std::remove_if(extrema.first, extrema.last, [&](const vpEdgeSearch::Extremum &extremum) {
+      const double ratio = extremum.contrast / remembered;
+      return ratio < 1. - settings.mu1 || ratio > 1. + settings.mu2;
+    });
   }
-  for (const vpEdgeSearch::Extremum &extremum : extrema) {
-    const double ratio = reference == nullptr ? 1. : extremum.contrast / static_cast<double>(*reference);
-    if (ratio >= 1. - settings.mu1 && ratio <= 1. + settings.mu2) {
-      selected.push_back(extremum);
-    }
-  }
-  const auto likelier = [reference](const vpEdgeSearch::Extremum &a, const vpEdgeSearch::Extremum &b) {
-    if (reference == nullptr) {
-      return std::fabs(a.contrast) > std::fabs(b.contrast);
-    }
-    const double c = static_cast<double>(*reference);
-    return std::fabs(a.contrast - c) < std::fabs(b.contrast - c);
+  const auto likelier = [=](const vpEdgeSearch::Extremum &a, const vpEdgeSearch::Extremum &b) {
+    return reference == nullptr ? std::fabs(a.contrast) > std::fabs(b.contrast)
+                                : std::fabs(a.contrast - remembered) < std::fabs(b.contrast - remembered);
   };
-  const std::size_t kept = std::min<std::size_t>(selected.size(), settings.candidates);
-  std::partial_sort(selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(kept), selected.end(), likelier);
-  selected.resize(kept);
-  return selected.empty() ? vpFeatureState::CONTRAST : vpFeatureState::GOOD;
+  const std::ptrdiff_t kept = std::min<std::ptrdiff_t>(extrema.last - extrema.first, settings.candidates);
+  std::partial_sort(extrema.first, extrema.first + kept, extrema.last, likelier);
+  extrema.last = extrema.first + kept;
+}
+
+vpEdgeCue::Candidate toCandidate(const vpControlPoint &point, const vpEdgeSearch::Extremum &extremum,
+                                 const vpCameraParameters &cam)
+{
+  vpEdgeCue::Candidate candidate;
+  const Eigen::Vector2d pixel = point.pixel + extremum.offset * point.normal;
+  candidate.place = Eigen::Vector2d((pixel.x() - cam.get_u0()) * cam.get_px_inverse(),
+                                    (pixel.y() - cam.get_v0()) * cam.get_py_inverse());
+  candidate.offset = extremum.offset;
+  candidate.contrast = extremum.contrast;
+  return candidate;
 }
 } // namespace
 
@@ -112,36 +128,31 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     m_memory.assign(bins, Memory());
   }
   vpEdgeSearch search(frame.gray(), m_settings);
-  std::vector<vpEdgeSearch::Extremum> selected;
   const std::vector<vpControlPoint> &points = view.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const vpControlPoint &point = points[i];
     if (frame.isMasked(point.pixel.x(), point.pixel.y())) {
       continue;
     }
-    Match match;
+    m_matches.emplace_back();
+    Match &match = m_matches.back();
     match.point = point;
     match.reach = reachOf(points, i);
     match.first = static_cast<int>(m_candidates.size());
     const Memory *memory = recall(point);
     // Remembered along the edge's own direction, searched along the normal.
     const float reference = memory == nullptr ? 0.F : memory->contrast * static_cast<float>(point.side);
-    match.state =
-        select(search.along(point.pixel, point.normal), memory == nullptr ? nullptr : &reference, m_settings, selected);
-    for (const vpEdgeSearch::Extremum &extremum : selected) {
-      Candidate candidate;
-      const Eigen::Vector2d pixel = point.pixel + extremum.offset * point.normal;
-      if (frame.isMasked(pixel.x(), pixel.y())) {
-        continue;
-      }
-      candidate.place = Eigen::Vector2d((pixel.x() - m_camera.get_u0()) / m_camera.get_px(),
-                                        (pixel.y() - m_camera.get_v0()) / m_camera.get_py());
-      candidate.offset = extremum.offset;
-      candidate.contrast = extremum.contrast;
-      m_candidates.push_back(candidate);
+    vpEdgeSearch::Extrema extrema = search.along(point.pixel, point.normal);
+    dropMasked(frame, point, extrema);
+    match.state = extrema.first == extrema.last ? vpFeatureState::THRESHOLD : vpFeatureState::GOOD;
+    select(extrema, memory == nullptr ? nullptr : &reference, m_settings);
+    match.count = static_cast<int>(extrema.last - extrema.first);
+    if (match.count == 0 && match.state == vpFeatureState::GOOD) {
+      match.state = vpFeatureState::CONTRAST;
     }
-    match.count = static_cast<int>(m_candidates.size()) - match.first;
-    m_matches.push_back(match);
+    for (const vpEdgeSearch::Extremum *extremum = extrema.first; extremum != extrema.last; ++extremum) {
+      m_candidates.push_back(toCandidate(point, *extremum, m_camera));
+    }
   }
 }
 
@@ -154,21 +165,29 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block
     if (match.count == 0) {
       continue;
     }
-    vpResidual row;
+    block.rows.emplace_back();
+    vpResidual &row = block.rows.back();
     const vpProjectedLine line = project(match.point);
     if (line.isSeen()) {
       const Candidate &candidate = line.nearest(m_candidates.data() + match.first, match.count);
       row.error = line.distance(candidate.place);
-      row.jacobian = line.jacobian(candidate.place, row.error);
+      line.jacobian(candidate.place, row.error, row.jacobian);
     } else {
       row.weight = 0.;
     }
-    block.rows.push_back(row);
   }
 }
 
 void vpEdgeCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)
 {
+  const auto hasRow = [](const Match &match) { return match.count > 0; };
+  const std::ptrdiff_t rows = std::count_if(m_matches.begin(), m_matches.end(), hasRow);
+  if (static_cast<std::ptrdiff_t>(weights.size()) != rows) {
+    throw vpException(
+        vpException::dimensionError,
+        "vpEdgeCue::updateReference() was given %zu weights for %zu rows: pass one for each of residuals()",
+        weights.size(), static_cast<std::size_t>(rows));
+  }
   const vpLineProjector project(cMo);
   std::size_t row = 0;
   for (const Match &match : m_matches) {

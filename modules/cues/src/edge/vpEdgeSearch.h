@@ -4,11 +4,15 @@
 
 #include <visp3/cues/vpEdgeCue.h>
 
+#include <array>
+#include <cstdint>
+
 BEGIN_VISP_NAMESPACE
 
 /*!
   Searches one image along short lines for edges across them. The image is read once per pixel of the line and of the
-  mask's width; the gradient is a sum over that profile, so a long mask costs no more than a short one.
+  mask's width; the gradient is a sum over that profile, so a long mask costs no more than a short one. All memory is
+  inside the object, so that one can be made for every image.
 */
 class vpEdgeSearch
 {
@@ -19,30 +23,56 @@ public:
     double contrast = 0.; //!< Gray levels, positive where it gets brighter along the line.
   };
 
+  //! The extrema of one line, in order along it, for the caller to sort and thin out.
+  struct Extrema
+  {
+    Extremum *first;
+    Extremum *last; //!< Behind the last one.
+  };
+
+  //! \param settings Checked: the memory suffices for the ranges of vpEdgeCueSettings.
   vpEdgeSearch(const vpImage<unsigned char> &I, const vpEdgeCueSettings &settings);
 
   /*!
     \param pixel, normal Middle and unit direction of the line, (u, v).
-    \return The local extrema of the gradient above the contrast threshold, in order along the line; good until the next
-    call.
+    \return The local extrema of the gradient above the contrast threshold; good until the next call.
   */
-  const std::vector<Extremum> &along(const Eigen::Vector2d &pixel, const Eigen::Vector2d &normal);
+  Extrema along(const Eigen::Vector2d &pixel, const Eigen::Vector2d &normal);
 
 private:
+  static constexpr int maxRange = 100; // Of vpEdgeCueSettings::range.
+  static constexpr int maxHalf = 7;    // Of vpEdgeCueSettings::maskSize, 15.
+  static constexpr int maxLength = 2 * (maxRange + 1 + maxHalf) + 1;
+  static constexpr int lanes = 8; // Samples that are interpolated at once.
+  static constexpr int maxSamples = (maxLength * (2 * maxHalf + 1) + lanes - 1) / lanes * lanes;
+
+  // What is read of the image, row after row beside the line. Gathered first and interpolated afterwards, because the
+  // latter can be done for several samples in one instruction, the former cannot.
+  struct Samples
+  {
+    std::array<unsigned char, 2 * maxSamples> upper; // Left and right pixel above each sample.
+    std::array<unsigned char, 2 * maxSamples> lower; // Those below it.
+    std::array<std::uint16_t, maxSamples> right;     // From the left pixel to the sample, 1 / 65536.
+    std::array<std::uint16_t, maxSamples> down;
+    std::array<std::uint16_t, maxSamples> level; // The result, 256 times the gray level.
+  };
+
   bool findLimits(const Eigen::Vector2d &pixel, const Eigen::Vector2d &normal, int &low, int &high) const;
-  void readProfile(const Eigen::Vector2d &pixel, const Eigen::Vector2d &normal, int low, int high);
-  void findExtrema(int low, int high);
-  float gradient(int index) const;
+  void gather(const Eigen::Vector2d &pixel, const Eigen::Vector2d &normal, int first, int count);
+  void interpolate(int count);
+  void findGradient(int count);
+  Extremum *findExtrema(int low, int high);
 
   const vpImage<unsigned char> &m_I;
   int m_range;
   int m_half; // Half the mask, pixels.
   double m_reach;
   float m_contrast;
-  std::vector<float> m_kernel;  // Weights of the pixels at 1, 2, ... half on both sides.
-  std::vector<float> m_profile; // Means across the line, from low - half to high + half.
-  std::vector<float> m_gradient;
-  std::vector<Extremum> m_extrema;
+  std::array<float, maxHalf> m_kernel; // Weights of the pixels at 1, 2, ... half on both sides.
+  Samples m_samples{};
+  std::array<std::int32_t, maxLength> m_profile; // Sums across the line, 256 times gray levels.
+  std::array<float, maxLength> m_gradient;
+  std::array<Extremum, 2 * maxRange + 1> m_extrema;
 };
 
 END_VISP_NAMESPACE

@@ -5,16 +5,26 @@
 #include <visp3/core/vpImageConvert.h>
 #include <visp3/core/vpImageTools.h>
 
+#include <algorithm>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
 
-vpCueFrame vpFrameSource::prepare(unsigned int width, unsigned int height, const vpCameraParameters &cam,
-                                  const vpImage<bool> *mask)
+namespace {
+bool isDistorted(const vpCameraParameters &cam)
 {
-  if (width == 0 || height == 0) {
-    throw vpException(vpException::dimensionError, "The image is empty (%u x %u): give one with pixels", width, height);
+  switch (cam.get_projModel()) {
+  case vpCameraParameters::perspectiveProjWithoutDistortion:
+    return false;
+  case vpCameraParameters::perspectiveProjWithDistortion:
+    return cam.get_kud() != 0.; // Often stored with a model that has distortion, but none of it.
+  default:
+    return true;
   }
+}
+
+void checkCamera(const vpCameraParameters &cam)
+{
   if (!std::isfinite(cam.get_px()) || !std::isfinite(cam.get_py()) || !(cam.get_px() > 0.) || !(cam.get_py() > 0.) ||
       !std::isfinite(cam.get_u0()) || !std::isfinite(cam.get_v0())) {
     throw vpException(
@@ -22,6 +32,37 @@ vpCueFrame vpFrameSource::prepare(unsigned int width, unsigned int height, const
         "The camera is singular (px %g, py %g, u0 %g, v0 %g): set its parameters, focal lengths in pixels",
         cam.get_px(), cam.get_py(), cam.get_u0(), cam.get_v0());
   }
+  if (!std::isfinite(cam.get_kud())) {
+    throw vpException(vpException::badValue, "The camera's distortion kud is %g: set it, 0 for none", cam.get_kud());
+  }
+  if (cam.get_projModel() == vpCameraParameters::ProjWithKannalaBrandtDistortion &&
+      cam.getKannalaBrandtDistortionCoefficients().size() != 4) {
+    throw vpException(vpException::badValue, "The camera has %zu Kannala-Brandt coefficients: give it four",
+                      cam.getKannalaBrandtDistortionCoefficients().size());
+  }
+}
+
+// Where the lens saw nothing, the map goes on with the image's border: ViSP's remap() would make it black, and that
+// edge would be found.
+void clampMap(vpArray2D<int> &map, vpArray2D<float> &remainder, int size)
+{
+  for (unsigned int k = 0; k < map.size(); ++k) {
+    const int place = map.data[k];
+    if (place < 0 || place > size - 2 || remainder.data[k] < 0.F) {
+      map.data[k] = std::max(std::min(place, size - 2), 0);
+      remainder.data[k] = 0.F;
+    }
+  }
+}
+} // namespace
+
+vpCueFrame vpFrameSource::prepare(unsigned int width, unsigned int height, const vpCameraParameters &cam,
+                                  const vpImage<bool> *mask)
+{
+  if (width == 0 || height == 0) {
+    throw vpException(vpException::dimensionError, "The image is empty (%u x %u): give one with pixels", width, height);
+  }
+  checkCamera(cam);
   if (mask != nullptr && (mask->getWidth() != width || mask->getHeight() != height)) {
     throw vpException(vpException::dimensionError,
                       "The mask is %u x %u and the image %u x %u: give setMask() one of the image's size",
@@ -30,11 +71,13 @@ vpCueFrame vpFrameSource::prepare(unsigned int width, unsigned int height, const
 
   vpCueFrame frame;
   frame.m_mask = mask;
-  frame.m_isDistorted = cam.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion;
+  frame.m_isDistorted = isDistorted(cam);
   frame.m_distortedCamera = cam;
   frame.m_camera.initPersProjWithoutDistortion(cam.get_px(), cam.get_py(), cam.get_u0(), cam.get_v0());
   if (frame.m_isDistorted && (m_mapCamera != cam || m_mapU.getRows() != height || m_mapU.getCols() != width)) {
     vpImageTools::initUndistortMap(cam, width, height, m_mapU, m_mapV, m_mapDu, m_mapDv);
+    clampMap(m_mapU, m_mapDu, static_cast<int>(width));
+    clampMap(m_mapV, m_mapDv, static_cast<int>(height));
     m_mapCamera = cam;
   }
   return frame;
@@ -60,7 +103,9 @@ vpCueFrame vpFrameSource::frame(const vpImage<vpRGBa> &I, const vpCameraParamete
     vpImageTools::remap(I, m_mapU, m_mapV, m_mapDu, m_mapDv, m_color);
     frame.m_color = &m_color;
   }
-  vpImageConvert::convert(*frame.m_color, m_gray);
+  // The overload that starts no OpenMP threads: waiting for them can take longer than the conversion.
+  m_gray.resize(I.getHeight(), I.getWidth());
+  vpImageConvert::RGBaToGrey(reinterpret_cast<unsigned char *>(frame.m_color->bitmap), m_gray.bitmap, I.getSize());
   frame.m_gray = &m_gray;
   return frame;
 }

@@ -19,10 +19,10 @@ namespace {
 //! Up to this size a pixel coordinate and its sub-pixel part fit the rasteriser's integers; OpenGL's usual limit too.
 constexpr unsigned int maxImageSize = 16384;
 
-//! Up to here the CPU draws a crop of 200 pixels in well under a millisecond, the order of a GPU's way there and back.
+//! An estimate, not measured on a GPU: up to here the CPU draws a crop of 200 pixels in less than a millisecond.
 constexpr std::size_t trianglesWorthAGpu = 20000;
 
-//! The message is only made where it is thrown: checks run in every frame.
+//! \param message Makes the text; called on failure only, as a frame must not allocate.
 template <class Message> void require(bool condition, const Message &message)
 {
   if (!condition) {
@@ -30,23 +30,32 @@ template <class Message> void require(bool condition, const Message &message)
   }
 }
 
+bool isSide(unsigned int size)
+{
+  return size > 0 && size <= maxImageSize;
+}
+
+bool isFocalLength(double p)
+{
+  return std::isfinite(p) && p > 0;
+}
+
 void checkCamera(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
                  unsigned int imageHeight)
 {
-  require(imageWidth > 0 && imageHeight > 0 && imageWidth <= maxImageSize && imageHeight <= maxImageSize, [&] {
+  require(isSide(imageWidth) && isSide(imageHeight), [=] {
     return "Rendering: the image size is " + std::to_string(imageWidth) + " x " + std::to_string(imageHeight) +
            ", give sides from 1 to " + std::to_string(maxImageSize);
   });
-  require(std::isfinite(cam.get_px()) && std::isfinite(cam.get_py()) && cam.get_px() > 0 && cam.get_py() > 0, [&] {
+  require(isFocalLength(cam.get_px()) && isFocalLength(cam.get_py()), [&cam] {
     return "Rendering: the camera has px = " + std::to_string(cam.get_px()) +
            " and py = " + std::to_string(cam.get_py()) + ", give focal lengths in pixels, > 0";
   });
-  require(std::isfinite(cam.get_u0()) && std::isfinite(cam.get_v0()), [&] {
+  require(std::isfinite(cam.get_u0()) && std::isfinite(cam.get_v0()), [&cam] {
     return "Rendering: the camera has u0 = " + std::to_string(cam.get_u0()) +
            " and v0 = " + std::to_string(cam.get_v0()) + ", give a finite principal point";
   });
-  require(vpToPoseMatrix(cMo).allFinite(),
-          [] { return std::string("Rendering: the pose cMo has a value that is not finite"); });
+  require(vpToPoseMatrix(cMo).allFinite(), [] { return "Rendering: the pose cMo has a value that is not finite"; });
 }
 
 //! A range of image coordinates along one axis, pixels.
@@ -135,7 +144,8 @@ std::unique_ptr<vpModelRenderer> createEgl(const std::shared_ptr<const vpTracked
 void vpRenderOptions::check() const
 {
   require((channels & ~static_cast<unsigned int>(DEPTH | NORMAL | FACE | COLOR)) == 0, [this] {
-    return "vpRenderOptions::channels is " + std::to_string(channels) + ", or values of vpRenderOptions::Channel";
+    return "vpRenderOptions::channels is " + std::to_string(channels) +
+           ", give values of vpRenderOptions::Channel or-ed";
   });
   require(scale > 0 && scale <= 1, [this] {
     return "vpRenderOptions::scale is " + std::to_string(scale) + ", give a value in (0, 1] rendered pixels per pixel";
@@ -160,7 +170,7 @@ int vpRenderedView::index(double u, double v) const
 std::unique_ptr<vpModelRenderer> vpModelRenderer::create(const std::shared_ptr<const vpTrackedModel> &model,
                                                          Preference preference)
 {
-  require(model != nullptr, [] { return std::string("vpModelRenderer::create() was given no model"); });
+  require(model != nullptr, [] { return "vpModelRenderer::create() was given no model"; });
   const bool large = model->triangles().size() > trianglesWorthAGpu;
   std::unique_ptr<vpModelRenderer> renderer;
   if (preference == EGL || (preference == AUTOMATIC && large)) {

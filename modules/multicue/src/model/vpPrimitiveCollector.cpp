@@ -2,6 +2,7 @@
 #include "model/vpPrimitiveCollector.h"
 
 #include "model/vpCaoParent.h"
+#include "model/vpVrmlCheck.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpIoTools.h>
@@ -24,6 +25,10 @@ vpTrackedModelBuilder vpPrimitiveCollector::add(const vpTrackedModelBuilder &bui
   }
   vpPrimitiveCollector collector(builder);
   try {
+    const std::string extension = vpIoTools::getFileExtension(modelFile);
+    if (extension == ".wrl" || extension == ".WRL") {
+      requireReadableVrml(modelFile);
+    }
     collector.loadModel(modelFile, false, odTo);
   } catch (const std::exception &e) {
     throw vpException(vpException::ioError, "The model file '%s' cannot be read: %s", modelFile.c_str(), e.what());

@@ -38,6 +38,8 @@ protected:
 
 private:
   explicit vpPrimitiveCollector(const vpTrackedModelBuilder &builder) : m_builder(builder) {}
+  //! Leaves Coin, the library behind .wrl files, running: the application's other trackers may use it.
+  ~vpPrimitiveCollector() override { m_sodb_init_called = false; }
   void addPolygonLines(const vpMbtPolygon &polygon, bool closed);
 
   // What vpMbTracker demands of a tracker and reading does not use.

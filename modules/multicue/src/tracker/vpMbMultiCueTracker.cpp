@@ -17,17 +17,20 @@ namespace {
 const double rematchMotion = 1.5; // Pixels.
 const unsigned int maxMatches = 3;
 
+// A pose that moved its control points by more than this many search ranges in one match has diverged.
+const double maxMotion = 2.;
+// Fewer points than this happen to agree anywhere.
+const unsigned int fewestGood = 8;
+// Rows with less robust weight do not count as support.
+const double goodWeight = 0.1;
+
 bool isFinite(const vpHomogeneousMatrix &cMo)
 {
-  for (unsigned int i = 0; i < 16; ++i) {
-    if (!std::isfinite(cMo.data[i])) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); });
 }
 
-// Mean motion of the view's control points between its pose and another one, pixels.
+// Mean motion of the view's control points between its pose and another one, pixels; infinite where one gets behind the
+// camera.
 double meanMotion(const vpModelView &view, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
 {
   double sum = 0.;
@@ -36,6 +39,9 @@ double meanMotion(const vpModelView &view, const vpHomogeneousMatrix &cMo, const
     const double x = cMo[0][0] * X.x() + cMo[0][1] * X.y() + cMo[0][2] * X.z() + cMo[0][3];
     const double y = cMo[1][0] * X.x() + cMo[1][1] * X.y() + cMo[1][2] * X.z() + cMo[1][3];
     const double z = cMo[2][0] * X.x() + cMo[2][1] * X.y() + cMo[2][2] * X.z() + cMo[2][3];
+    if (!(z > 0.)) {
+      return HUGE_VAL;
+    }
     sum += std::hypot(cam.get_px() * x / z + cam.get_u0() - point.pixel.x(),
                       cam.get_py() * y / z + cam.get_v0() - point.pixel.y());
   }
@@ -73,7 +79,8 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
                       "The initial pose is not finite (NaN or infinite values): check how it was computed");
   }
   if (!cMo.getRotationMatrix().isARotationMatrix(1e-4)) {
-    throw vpException(vpException::badValue, "The initial pose has no rotation in its upper left 3 x 3: check how it was computed");
+    throw vpException(vpException::badValue,
+                      "The initial pose has no rotation in its upper left 3 x 3: check how it was computed");
   }
   const vpTrackedModel &model = *m_impl->model;
   unsigned int inFront = 0;
@@ -152,11 +159,6 @@ void vpMbMultiCueTracker::track(const vpImage<vpRGBa> &I_color)
   }
 }
 
-void vpMbMultiCueTracker::updateView(const vpCueFrame &frame)
-{
-  m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
-}
-
 void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
 {
   if (m_impl->width == 0) {
@@ -169,43 +171,62 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
                       frame.width(), frame.height(), m_impl->width, m_impl->height);
   }
   const vpHomogeneousMatrix cMoBefore = m_cMo;
-  bool estimated = false;
-  for (unsigned int i = 0; i < maxMatches; ++i) {
-    updateView(frame);
-    m_impl->edges.match(frame, *m_impl->view);
-    estimated = computeVVS();
-    if (!estimated || meanMotion(*m_impl->view, m_cMo, frame.camera()) < rematchMotion) {
-      break;
-    }
+  judge(estimate(frame));
+  if (m_impl->state == vpTrackingState::LOST) {
+    // A jump of the light changes all contrasts at once: without what was remembered of them the edges may be there
+    // yet.
+    m_cMo = cMoBefore;
+    m_impl->edges.reset();
+    judge(estimate(frame));
   }
-  judge(cMoBefore, estimated);
+  if (m_impl->state == vpTrackingState::LOST) {
+    m_cMo = cMoBefore;
+    m_impl->edges.reset();
+  } else {
+    m_impl->trusted = m_cMo;
+    m_impl->edges.updateReference(m_cMo, m_impl->weights);
+  }
   if (m_impl->throwOnLoss) {
     testTracking();
   }
 }
 
-void vpMbMultiCueTracker::judge(const vpHomogeneousMatrix &cMoBefore, bool estimated)
+bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
+{
+  const double limit = maxMotion * m_impl->edges.settings().range;
+  for (unsigned int i = 0; i < maxMatches; ++i) {
+    m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
+    m_impl->edges.match(frame, *m_impl->view);
+    if (!computeVVS() || !isFinite(m_cMo)) {
+      return false;
+    }
+    const double motion = meanMotion(*m_impl->view, m_cMo, frame.camera());
+    if (motion > limit) {
+      return false;
+    }
+    if (motion < rematchMotion) {
+      break;
+    }
+  }
+  return true;
+}
+
+void vpMbMultiCueTracker::judge(bool estimated)
 {
   Impl &impl = *m_impl;
   impl.expected = static_cast<unsigned int>(impl.edges.matches().size());
-  impl.good = estimated ? static_cast<unsigned int>(
-                              std::count_if(impl.weights.begin(), impl.weights.end(), [](double w) { return w > 0.1; }))
-                        : 0;
-  const double ratio = impl.expected > 0 ? static_cast<double>(impl.good) / impl.expected : 0.;
-  if (estimated && ratio >= impl.goodRatio) {
-    impl.state = vpTrackingState::TRACKING;
-  } else if (estimated && ratio >= 0.5 * impl.goodRatio) {
-    impl.state = vpTrackingState::UNCERTAIN;
-  } else {
+  impl.good = 0;
+  if (estimated) {
+    impl.good = static_cast<unsigned int>(
+        std::count_if(impl.weights.begin(), impl.weights.end(), [](double weight) { return weight > goodWeight; }));
+  }
+  const double needed = impl.goodRatio * impl.expected;
+  if (impl.good < fewestGood || impl.good < 0.5 * needed) {
     impl.state = vpTrackingState::LOST;
+  } else {
+    impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
   }
   impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " control points support the pose";
-  if (impl.state == vpTrackingState::LOST) {
-    m_cMo = cMoBefore;
-    return;
-  }
-  impl.trusted = m_cMo;
-  impl.edges.updateReference(m_cMo, impl.weights);
 }
 
 vpTrackingState vpMbMultiCueTracker::getTrackingState() const

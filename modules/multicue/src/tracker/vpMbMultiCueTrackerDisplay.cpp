@@ -89,6 +89,7 @@ std::vector<std::vector<double>> vpMbMultiCueTracker::getModelForDisplay(unsigne
   options.border = 0.;
   options.allEdges = displayFullModel;
   vpModelView &view = *m_impl->displayView;
+  view.continueFrom(*m_impl->view); // Faces are shown as long as they are tracked.
   view.compute(cMo, cam, width, height, options, displayFullModel ? nullptr : m_impl->renderer.get());
 
   std::vector<std::vector<double>> lines;

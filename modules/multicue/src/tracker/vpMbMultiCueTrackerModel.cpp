@@ -3,6 +3,7 @@
 
 #include "model/vpCaoParent.h"
 #include "model/vpPrimitiveCollector.h"
+#include "tracker/vpMbTrackerNames.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpException.h>
@@ -185,7 +186,7 @@ void vpMbMultiCueTracker::resetTracker()
   displayFeatures = false;
   m_mask = nullptr;
   oJo.eye(6);
-  isoJoIdentity = true;
+  m_isoJoIdentity = true;
   angleAppears = vpMath::rad(89.);
   angleDisappears = vpMath::rad(89.);
   clippingFlag = vpPolygon3D::NO_CLIPPING;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "tracker/vpMbTrackerNames.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpExponentialMap.h>
@@ -133,7 +134,7 @@ bool vpMbMultiCueTracker::computeVVS()
     return false;
   }
   const vpMatrix chosen = oJo;
-  const bool allChosen = isoJoIdentity;
+  const bool allChosen = m_isoJoIdentity;
   bool all = allChosen;
   double residualBefore = -1.;
   try {
@@ -159,12 +160,7 @@ bool vpMbMultiCueTracker::computeVVS()
   }
   oJo = chosen;
   impl.weights.assign(m_w.data, m_w.data + m_w.getRows());
-  for (unsigned int i = 0; i < 16; ++i) {
-    if (!std::isfinite(m_cMo.data[i])) {
-      return false;
-    }
-  }
-  return m_cMo[2][3] > -impl.model->diameter();
+  return true;
 }
 
 END_VISP_NAMESPACE

@@ -46,7 +46,7 @@ void vpMbMultiCueTracker::Impl::makeRenderer()
 
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
-  edges.reset();
+  edges = vpEdgeCue(edges.settings());
   block.rows.clear();
   weights.clear();
   expected = 0;

@@ -29,11 +29,14 @@ public:
   unsigned int height() const { return m_gray->getHeight(); }
 
   bool hasMask() const { return m_mask != nullptr; }
-  //! True where the user's mask hides pixel (u, v) of this frame; the mask is given for the image as it was taken.
-  bool isMasked(double u, double v) const;
+  //! True where pixel (u, v) of this frame shows nothing that may be used: the user's mask, given for the image as it
+  //! was taken, hides it, or the lens did not see it.
+  bool isMasked(double u, double v) const { return (m_mask != nullptr || m_isDistorted) && isHidden(u, v); }
 
 private:
   friend class vpFrameSource;
+
+  bool isHidden(double u, double v) const;
 
   const vpImage<unsigned char> *m_gray = nullptr;
   const vpImage<vpRGBa> *m_color = nullptr;

@@ -19,7 +19,8 @@ public:
     \param I Image as it was taken.
     \param cam Camera, with or without distortion.
     \param mask True where the image may be used, as vpMbTracker::setMask() has it; null: everywhere.
-    \throw vpException where the image is empty, the mask has another size, or the camera is singular.
+    \throw vpException where the image is empty, the mask has another size, or the camera is singular or lacks its
+    distortion.
   */
   vpCueFrame frame(const vpImage<unsigned char> &I, const vpCameraParameters &cam, const vpImage<bool> *mask);
   //! Likewise in colour. \param I Image as it was taken.

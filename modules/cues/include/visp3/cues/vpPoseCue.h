@@ -71,10 +71,11 @@ public:
     Learns from the matched frame.
     \param cMo Pose that is trusted.
     \param weights Robust weights of the rows of residuals(), in [0, 1].
+    \throw vpException where there is not one weight for each row.
   */
   virtual void updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights) = 0;
 
-  //! Forgets all that was learnt from images.
+  //! Forgets all that was learnt from trusted poses; the last match stays.
   virtual void reset() = 0;
 
   //! Features of the last match, with the states that \e weights (rows of residuals()) give them at \e cMo.

@@ -90,6 +90,9 @@ public:
   void compute(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
                unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer);
 
+  //! Lets the next compute() take the faces that another view of the same model sees for those seen before.
+  void continueFrom(const vpModelView &other) { m_facesSeen = other.m_facesSeen; }
+
   const vpTrackedModel &model() const { return *m_model; }
   const std::vector<vpControlPoint> &points() const { return m_points; }
   const std::vector<vpContour> &contours() const { return m_contours; }

@@ -195,8 +195,8 @@ private:
   bool computeVVS();
   void computeStep(unsigned int iteration, bool allDegreesOfFreedom);
   bool restrictToObserved();
-  void judge(const vpHomogeneousMatrix &cMoBefore, bool estimated);
-  void updateView(const vpCueFrame &frame);
+  bool estimate(const vpCueFrame &frame);
+  void judge(bool estimated);
   const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);
   vpMultiCueSettings currentSettings() const;

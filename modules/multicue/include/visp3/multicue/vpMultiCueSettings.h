@@ -41,12 +41,25 @@ struct VISP_EXPORT vpMultiCueSettings
 
 /*!
   \ingroup group_multicue_settings
-  Reads ViSP's XML files for model-based trackers, and JSON.
+  Reads ViSP's XML files for model-based trackers, and JSON; writes JSON.
 
-  The XML file is the one of vpMbGenericTracker (camera, ecm, klt, face, lod; its depth and projection_error nodes are
-  known and passed over); its moving-edge threshold is in the old scale, or in gray levels where the node
-  edge_threshold_type of ViSP 3.6 says so. The JSON file has an object for each of camera, edge, view, klt and lod,
-  whose keys are the members' names.
+  What a file does not say keeps its default; a file that cannot be read as a whole changes nothing.
+
+  **XML**: the file of vpMbGenericTracker, read by ViSP's vpMbtXmlGenericParser (camera, ecm, sample, klt, face, lod).
+  The nodes of its depth trackers and projection_error are known and passed over. The moving-edge threshold is in ViSP's
+  old scale, or in gray levels where the node edge_threshold_type of ViSP 3.6 is 1. A camera in the file has no
+  distortion. ViSP's files of cameras (vpXmlParserCamera) are read too where they hold one camera with one model. Other
+  than ViSP's parser, this one refuses nodes that it does not know, text that is no number, and decimals that ViSP would
+  cut off.
+
+  **JSON**: an object for each of
+  - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
+  - edge: range, contrast, mu1, mu2, maskSize, candidates;
+  - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, clipToImage;
+  - klt: maxFeatures, windowSize, quality, minDistance, harris, blockSize, pyramidLevels, maskBorder;
+  - lod: use, minLineLength, minPolygonArea,
+
+  all of them optional, with the units and ranges of the members of the same name. Comments are allowed.
 */
 class VISP_EXPORT vpMultiCueSettingsReader
 {
@@ -54,15 +67,18 @@ public:
   /*!
     \param file Path; .json is read as JSON, everything else as XML.
     \param defaults What the file does not say.
-    \param verbose Print what was read.
+    \param verbose Print the settings that result, as JSON.
+    \return \e defaults with what the file says; they are checked.
     \throw vpException naming the file, and the line, node or key, where it is missing, no XML or JSON, has an unknown
-    node or key, or a value out of range.
+    node or key, or a value out of range. What is known there, or in range, is named too.
   */
   static vpMultiCueSettings read(const std::string &file, const vpMultiCueSettings &defaults, bool verbose = false);
 
   /*!
-    Writes a JSON file that read() understands.
-    \throw vpException naming the file where it cannot be written.
+    Writes a JSON file from which read() gets the same settings, to the last digit.
+    \param file Path, ends in .json.
+    \param settings What to write, all but the details of its view.
+    \throw vpException naming the file where it cannot be written, or the setting that is out of range.
   */
   static void write(const std::string &file, const vpMultiCueSettings &settings);
 };

@@ -49,7 +49,7 @@ public:
   */
   static vpPoseTangent log(const vpHomogeneousMatrix &aMb);
 
-  //! \overload static vpPoseTangent log(const vpHomogeneousMatrix &aMb)
+  //! The same for a pose of Eigen's, without memory to allocate.
   static vpPoseTangent log(const Eigen::Isometry3d &aMb);
 
   /*!

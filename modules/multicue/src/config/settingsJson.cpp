@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "config/settingsJson.h"
+
+#include "config/settingsTable.h"
+#include "config/settingsText.h"
+
+#include <visp3/core/vpException.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <type_traits>
+
+BEGIN_VISP_NAMESPACE
+namespace vpSettingsDetail {
+namespace {
+using Json = nlohmann::ordered_json; // In the order of the table.
+
+[[noreturn]] void refuse(const std::string &file, const std::string &reason)
+{
+  throw vpException(vpException::badValue, "Configuration file '" + file + "': " + reason);
+}
+
+Json parse(const std::string &file)
+{
+  const bool throwing = true, withComments = true;
+  try {
+    return Json::parse(readTextFile(file), nullptr, throwing, withComments);
+  } catch (const Json::exception &error) {
+    const std::string message = error.what();
+    const std::size_t end = message.find("] "); // Of the library's name for the error.
+    refuse(file, "this is no JSON: " + (end == std::string::npos ? message : message.substr(end + 2)));
+  }
+}
+
+std::vector<std::string> objectNames()
+{
+  std::vector<std::string> names;
+  for (const Entry &entry : settingsTable()) {
+    if (names.empty() || names.back() != entry.object) {
+      names.push_back(entry.object);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> keysOf(const std::string &object)
+{
+  std::vector<std::string> keys;
+  for (const Entry &entry : settingsTable()) {
+    if (entry.object == object) {
+      keys.push_back(entry.key);
+    }
+  }
+  return keys;
+}
+
+void requireKnown(const std::string &file, const std::string &what, const std::string &name,
+                  const std::vector<std::string> &known)
+{
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    refuse(file, "'" + name + "' is not known " + what + "; known are " + listText(known));
+  }
+}
+
+template <typename Value> bool hasType(const Json &json)
+{
+  if constexpr (std::is_same_v<Value, bool>) {
+    return json.is_boolean();
+  } else if constexpr (std::is_integral_v<Value>) {
+    return json.is_number_integer();
+  } else {
+    return json.is_number();
+  }
+}
+
+// The range is tested before the value becomes an integer, which may have no room for it.
+template <typename Value> bool assign(const Json &json, const Range &range, Value &value)
+{
+  if (!hasType<Value>(json) || (json.is_number() && !range.contains(json.get<double>()))) {
+    return false;
+  }
+  value = json.get<Value>();
+  return true;
+}
+
+bool assign(const Json &json, const Range &range, std::optional<double> &value)
+{
+  return assign(json, range, value.emplace());
+}
+
+void readObject(const std::string &file, const std::string &object, const Json &json, Draft &draft)
+{
+  requireKnown(file, "as an object", object, objectNames());
+  if (!json.is_object()) {
+    refuse(file, "'" + object + "' is " + json.dump() + ", it must be an object {...} with any of the keys " +
+                     listText(keysOf(object)));
+  }
+  for (const auto &[key, value] : json.items()) {
+    requireKnown(file, "in '" + object + "'", key, keysOf(object));
+    const Entry &entry = settingsEntry(object + '.' + key);
+    const Json &given = value;
+    if (!std::visit([&](auto at) { return assign(given, entry.range, at(draft)); }, entry.place)) {
+      refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe());
+    }
+  }
+}
+} // namespace
+
+void readJson(const std::string &file, Draft &draft)
+{
+  const Json json = parse(file);
+  if (!json.is_object()) {
+    refuse(file, "it must be an object {...} with any of " + listText(objectNames()));
+  }
+  if (json.contains("camera")) { // A camera's distortion belongs to its other values and does not outlive them.
+    draft.camera.kud.reset();
+    draft.camera.kdu.reset();
+  }
+  for (const auto &[object, value] : json.items()) {
+    readObject(file, object, value, draft);
+  }
+}
+
+std::string jsonText(const vpMultiCueSettings &settings)
+{
+  Draft draft(settings);
+  Json json = Json::object();
+  for (const Entry &entry : settingsTable()) {
+    if (entry.value(draft)) {
+      Json &place = json[entry.object][entry.key];
+      std::visit(
+          [&](auto at) {
+            if constexpr (std::is_same_v<decltype(at(draft)), std::optional<double> &>) {
+              place = *at(draft);
+            } else {
+              place = at(draft);
+            }
+          },
+          entry.place);
+    }
+  }
+  return json.dump(2) + '\n';
+}
+} // namespace vpSettingsDetail
+END_VISP_NAMESPACE

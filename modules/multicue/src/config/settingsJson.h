@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef settingsJson_h
+#define settingsJson_h
+
+#include <visp3/multicue/vpMultiCueSettings.h>
+
+#include <string>
+
+BEGIN_VISP_NAMESPACE
+namespace vpSettingsDetail {
+struct Draft;
+
+//! Puts what a JSON file says into \e draft. \throw vpException naming the file, and the place where it is wrong.
+void readJson(const std::string &file, Draft &draft);
+
+//! \return The settings as JSON, one line for each, to the last digit.
+std::string jsonText(const vpMultiCueSettings &settings);
+} // namespace vpSettingsDetail
+END_VISP_NAMESPACE
+#endif

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "config/settingsTable.h"
+
+#include "config/settingsText.h"
+
+#include <visp3/core/vpException.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <type_traits>
+
+BEGIN_VISP_NAMESPACE
+namespace vpSettingsDetail {
+namespace {
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+template <auto Member> auto &ofCamera(Draft &draft)
+{
+  return draft.camera.*Member;
+}
+
+template <auto Member> auto &ofSettings(Draft &draft)
+{
+  return draft.members.*Member;
+}
+
+template <auto Part, auto Member> auto &ofPart(Draft &draft)
+{
+  return draft.members.*Part.*Member;
+}
+
+template <auto Member> constexpr auto ofEdge = &ofPart<&vpMultiCueSettings::edge, Member>;
+template <auto Member> constexpr auto ofView = &ofPart<&vpMultiCueSettings::view, Member>;
+template <auto Member> constexpr auto ofKlt = &ofPart<&vpMultiCueSettings::klt, Member>;
+
+Range between(double low, double high, const char *unit = "")
+{
+  return {low, high, true, unit};
+}
+
+Range above(double low, double high = infinite, const char *unit = "")
+{
+  return {low, high, false, unit};
+}
+} // namespace
+
+CameraParts CameraParts::of(const vpCameraParameters &camera)
+{
+  CameraParts parts = {camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), std::nullopt, std::nullopt};
+  if (camera.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion) {
+    parts.kud = camera.get_kud();
+    parts.kdu = camera.get_kdu();
+  }
+  return parts;
+}
+
+vpCameraParameters CameraParts::camera() const
+{
+  vpCameraParameters camera;
+  if (kud || kdu) {
+    camera.initPersProjWithDistortion(px, py, u0, v0, kud.value_or(0.), kdu.value_or(0.));
+  } else {
+    camera.initPersProjWithoutDistortion(px, py, u0, v0);
+  }
+  return camera;
+}
+
+bool CameraParts::operator==(const CameraParts &other) const
+{
+  return std::tie(px, py, u0, v0, kud, kdu) == std::tie(other.px, other.py, other.u0, other.v0, other.kud, other.kdu);
+}
+
+Draft::Draft(const vpMultiCueSettings &settings) : members(settings), camera(CameraParts::of(settings.camera))
+{
+}
+
+vpMultiCueSettings Draft::settings() const
+{
+  vpMultiCueSettings settings = members;
+  if (!(camera == CameraParts::of(members.camera))) {
+    settings.camera = camera.camera();
+  }
+  return settings;
+}
+
+bool Range::contains(double value) const
+{
+  return std::isfinite(value) && (lowIncluded ? value >= low : value > low) && value <= high;
+}
+
+std::string Range::describe(const std::string &noun) const
+{
+  const std::string start = "a " + noun;
+  if (std::isinf(low)) {
+    return start + unit;
+  }
+  if (std::isinf(high)) {
+    return start + (lowIncluded ? " of at least " : " above ") + numberText(low) + unit;
+  }
+  return start + " in " + (lowIncluded ? "[" : "(") + numberText(low) + ", " + numberText(high) + "]" + unit;
+}
+
+std::string Entry::name() const
+{
+  return std::string(object) + '.' + key;
+}
+
+std::optional<double> Entry::value(Draft &draft) const
+{
+  return std::visit(
+      [&](auto at) -> std::optional<double> {
+        if constexpr (std::is_same_v<decltype(at(draft)), std::optional<double> &>) {
+          return at(draft);
+        } else {
+          return static_cast<double>(at(draft));
+        }
+      },
+      place);
+}
+
+std::string Entry::describe() const
+{
+  if (std::holds_alternative<bool &(*)(Draft &)>(place)) {
+    return "true or false";
+  }
+  const bool whole =
+      std::holds_alternative<int &(*)(Draft &)>(place) || std::holds_alternative<unsigned int &(*)(Draft &)>(place);
+  return range.describe(whole ? "whole number" : "number");
+}
+
+const std::vector<Entry> &settingsTable()
+{
+  using Settings = vpMultiCueSettings;
+  using Edge = vpEdgeCueSettings;
+  using View = vpModelViewOptions;
+  using Klt = vpKltSettings;
+  static const std::vector<Entry> table = {
+      {"camera", "px", &ofCamera<&CameraParts::px>, above(0., infinite, " pixels")},
+      {"camera", "py", &ofCamera<&CameraParts::py>, above(0., infinite, " pixels")},
+      {"camera", "u0", &ofCamera<&CameraParts::u0>, {}},
+      {"camera", "v0", &ofCamera<&CameraParts::v0>, {}},
+      {"camera", "kud", &ofCamera<&CameraParts::kud>, {}},
+      {"camera", "kdu", &ofCamera<&CameraParts::kdu>, {}},
+      {"edge", "range", ofEdge<&Edge::range>, between(1., 100., " pixels")},
+      {"edge", "contrast", ofEdge<&Edge::contrast>, above(0., 255., " gray levels")},
+      {"edge", "mu1", ofEdge<&Edge::mu1>, between(0., 1.)},
+      {"edge", "mu2", ofEdge<&Edge::mu2>, between(0., infinite)},
+      {"edge", "maskSize", ofEdge<&Edge::maskSize>, between(3., 15., " pixels")},
+      {"edge", "candidates", ofEdge<&Edge::candidates>, between(1., 8.)},
+      {"view", "sampleStep", ofView<&View::sampleStep>, between(0.5, infinite, " pixels")},
+      {"view", "appearAngle", ofView<&View::appearAngle>, above(0., 90., " degrees")},
+      {"view", "disappearAngle", ofView<&View::disappearAngle>, above(0., 90., " degrees")},
+      {"view", "nearDistance", ofView<&View::nearDistance>, above(0., infinite, " metres")},
+      {"view", "farDistance", ofView<&View::farDistance>, between(0., infinite, " metres")},
+      {"view", "border", ofView<&View::border>, between(0., infinite, " pixels")},
+      {"view", "visibilitySize", ofView<&View::visibilitySize>,
+       between(16., std::numeric_limits<unsigned int>::max(), " pixels")},
+      {"view", "clipToImage", &ofSettings<&Settings::clipToImage>, {}},
+      {"klt", "maxFeatures", ofKlt<&Klt::maxFeatures>, between(1., 100000.)},
+      {"klt", "windowSize", ofKlt<&Klt::windowSize>, between(3., 63., " pixels")},
+      {"klt", "quality", ofKlt<&Klt::quality>, above(0., 1.)},
+      {"klt", "minDistance", ofKlt<&Klt::minDistance>, between(0., 1000., " pixels")},
+      {"klt", "harris", ofKlt<&Klt::harris>, between(0., 1.)},
+      {"klt", "blockSize", ofKlt<&Klt::blockSize>, between(1., 63., " pixels")},
+      {"klt", "pyramidLevels", ofKlt<&Klt::pyramidLevels>, between(1., 10.)},
+      {"klt", "maskBorder", ofKlt<&Klt::maskBorder>, between(0., 100., " pixels")},
+      {"lod", "use", &ofSettings<&Settings::useLod>, {}},
+      {"lod", "minLineLength", &ofSettings<&Settings::minLineLength>, between(0., infinite, " pixels")},
+      {"lod", "minPolygonArea", &ofSettings<&Settings::minPolygonArea>, between(0., infinite, " square pixels")}};
+  return table;
+}
+
+const Entry &settingsEntry(std::string_view name)
+{
+  const std::vector<Entry> &table = settingsTable();
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Entry &entry) { return entry.name() == name; });
+  if (found == table.end()) {
+    throw vpException(vpException::fatalError, "There is no setting '" + std::string(name) + "'");
+  }
+  return *found;
+}
+} // namespace vpSettingsDetail
+END_VISP_NAMESPACE

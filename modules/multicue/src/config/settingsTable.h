@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef settingsTable_h
+#define settingsTable_h
+
+#include <visp3/multicue/vpMultiCueSettings.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+BEGIN_VISP_NAMESPACE
+namespace vpSettingsDetail {
+//! The camera in parts, because vpCameraParameters takes them all at once only.
+struct CameraParts
+{
+  static CameraParts of(const vpCameraParameters &camera);
+  vpCameraParameters camera() const;
+  bool operator==(const CameraParts &other) const;
+
+  double px, py, u0, v0;
+  std::optional<double> kud, kdu; // None of both: a camera without distortion.
+};
+
+//! Settings of which every single value can be set.
+struct Draft
+{
+  explicit Draft(const vpMultiCueSettings &settings);
+  //! The camera is the one that the draft was made from unless a part of it was changed.
+  vpMultiCueSettings settings() const;
+
+  vpMultiCueSettings members;
+  CameraParts camera;
+};
+
+//! The values that a setting can have.
+struct Range
+{
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool lowIncluded = true;
+  const char *unit = ""; // With a space before it.
+
+  bool contains(double value) const;
+  //! \return For instance "a whole number in [3, 15] pixels". \param noun "number" or "whole number".
+  std::string describe(const std::string &noun) const;
+};
+
+//! A function for each type that a setting can have, which gives its place in a draft.
+using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), int &(*)(Draft &),
+                           unsigned int &(*)(Draft &), bool &(*)(Draft &)>;
+
+//! One setting: the name it has in a file, where it is kept, and what it can be.
+struct Entry
+{
+  const char *object;
+  const char *key;
+  Place place;
+  Range range;
+
+  //! \return For instance "edge.range".
+  std::string name() const;
+  //! \return Its value, false and true as 0 and 1; none for a distortion that the camera does not have.
+  std::optional<double> value(Draft &draft) const;
+  //! \return What is to be written for it, for instance "true or false".
+  std::string describe() const;
+};
+
+//! Every setting that a file can hold, those of one object in a row.
+const std::vector<Entry> &settingsTable();
+//! \return The entry with this name, which has to exist.
+const Entry &settingsEntry(std::string_view name);
+} // namespace vpSettingsDetail
+END_VISP_NAMESPACE
+#endif

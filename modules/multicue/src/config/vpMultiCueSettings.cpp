@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMultiCueSettings.h>
+
+#include "config/settingsTable.h"
+#include "config/settingsText.h"
+
+#include <visp3/core/vpException.h>
+
+BEGIN_VISP_NAMESPACE
+using namespace vpSettingsDetail;
+
+void vpMultiCueSettings::check() const
+{
+  if (camera.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion &&
+      camera.get_projModel() != vpCameraParameters::perspectiveProjWithDistortion) {
+    throw vpException(vpException::badValue, "vpMultiCueSettings::camera must be a perspective projection, with or "
+                                             "without distortion; undistort the images of other cameras first");
+  }
+  Draft draft(*this);
+  for (const Entry &entry : settingsTable()) {
+    const std::optional<double> value = entry.value(draft);
+    if (value && !entry.range.contains(*value)) {
+      throw vpException(vpException::badValue, "vpMultiCueSettings: " + entry.name() + " is " + numberText(*value) +
+                                                   ", it must be " + entry.describe());
+    }
+  }
+  // What members have to do with each other.
+  edge.check();
+  view.check();
+}
+
+END_VISP_NAMESPACE

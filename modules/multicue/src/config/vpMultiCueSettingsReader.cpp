@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMultiCueSettings.h>
+
+#include "config/settingsJson.h"
+#include "config/settingsTable.h"
+#include "config/settingsXml.h"
+
+#include <visp3/core/vpException.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+BEGIN_VISP_NAMESPACE
+using namespace vpSettingsDetail;
+
+namespace {
+bool isJson(const std::string &file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".json";
+}
+
+vpMultiCueSettings checkedSettings(const std::string &file, const Draft &draft)
+{
+  try {
+    const vpMultiCueSettings settings = draft.settings();
+    settings.check();
+    return settings;
+  } catch (const vpException &error) {
+    throw vpException(vpException::badValue, "Configuration file '" + file + "': with it, " + error.what());
+  }
+}
+} // namespace
+
+vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
+                                                  bool verbose)
+{
+  Draft draft(defaults);
+  if (isJson(file)) {
+    readJson(file, draft);
+  } else {
+    readXml(file, draft);
+  }
+  const vpMultiCueSettings settings = checkedSettings(file, draft);
+  if (verbose) {
+    std::cout << "Settings with '" << file << "': " << jsonText(settings) << std::flush;
+  }
+  return settings;
+}
+
+void vpMultiCueSettingsReader::write(const std::string &file, const vpMultiCueSettings &settings)
+{
+  if (!isJson(file)) {
+    throw vpException(vpException::badValue,
+                      "Configuration file '" + file + "' is to be JSON: its name must end in .json");
+  }
+  settings.check();
+  std::ofstream stream(file, std::ios::binary);
+  stream << jsonText(settings);
+  stream.close();
+  if (!stream) {
+    throw vpException(vpException::ioError, "Configuration file '" + file + "' cannot be written");
+  }
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef settingsFiles_h
+#define settingsFiles_h
+
+#include <visp3/core/vpException.h>
+#include <visp3/multicue/vpMultiCueSettings.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+
+//! Configuration files that tests write and read, and what they are compared with.
+namespace settingsFiles {
+//! A folder of its own that lives as long as the object.
+class Folder
+{
+public:
+  Folder()
+      : m_path(std::filesystem::temp_directory_path() / ("multicue-settings-" + std::to_string(std::random_device()())))
+  {
+    std::filesystem::create_directory(m_path);
+  }
+  ~Folder()
+  {
+    std::error_code error;
+    std::filesystem::remove_all(m_path, error);
+  }
+  Folder(const Folder &) = delete;
+  Folder &operator=(const Folder &) = delete;
+
+  std::string path(const std::string &name) const { return (m_path / name).string(); }
+  std::string write(const std::string &name, const std::string &text) const
+  {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+private:
+  std::filesystem::path m_path;
+};
+
+inline std::string textOf(const std::string &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+}
+
+//! \return What is read from a file with this name and text.
+inline vpMultiCueSettings read(const std::string &name, const std::string &text,
+                               const vpMultiCueSettings &defaults = vpMultiCueSettings())
+{
+  const Folder folder;
+  return vpMultiCueSettingsReader::read(folder.write(name, text), defaults);
+}
+
+//! \return The message of the exception that an action ends with; "" where there is none.
+template <typename Action> std::string messageOf(const Action &action)
+{
+  try {
+    action();
+  } catch (const vpException &error) {
+    return error.what();
+  }
+  return "";
+}
+
+//! \return The message that reading such a file ends with.
+inline std::string refusal(const std::string &name, const std::string &text)
+{
+  return messageOf([&] { read(name, text); });
+}
+
+//! \return Settings that differ from the defaults in every member, most of them in the last digit too.
+inline vpMultiCueSettings unusual()
+{
+  vpMultiCueSettings settings;
+  settings.camera.initPersProjWithDistortion(1000. / 3., 2000. / 7., 0.1 + 0.2, -1e-17, -0.1 / 3., 0.1 / 7.);
+  settings.edge.range = 100. / 9.;
+  settings.edge.contrast = 10. / 3.;
+  settings.edge.mu1 = 1. / 3.;
+  settings.edge.mu2 = 1e22 / 3.;
+  settings.edge.maskSize = 7;
+  settings.edge.candidates = 1;
+  settings.view.sampleStep = 20. / 3.;
+  settings.view.appearAngle = 200. / 3.;
+  settings.view.disappearAngle = 220. / 3.;
+  settings.view.nearDistance = 1e-3 / 3.;
+  settings.view.farDistance = 1e3 / 3.;
+  settings.view.border = 1. / 7.;
+  settings.view.visibilitySize = 4000000000U;
+  settings.klt = {321, 7, 0.1 / 3., 8. / 3., 0.1 / 7., 5, 2, 9};
+  settings.useLod = true;
+  settings.minLineLength = 100. / 3.;
+  settings.minPolygonArea = 1000. / 7.;
+  settings.clipToImage = true;
+  return settings;
+}
+} // namespace settingsFiles
+
+// In ViSP's namespace, where Catch2 looks for them.
+BEGIN_VISP_NAMESPACE
+//! Compares every member, to the last digit.
+inline bool operator==(const vpKltSettings &a, const vpKltSettings &b)
+{
+  return a.maxFeatures == b.maxFeatures && a.windowSize == b.windowSize && a.quality == b.quality &&
+         a.minDistance == b.minDistance && a.harris == b.harris && a.blockSize == b.blockSize &&
+         a.pyramidLevels == b.pyramidLevels && a.maskBorder == b.maskBorder;
+}
+inline bool operator==(const vpEdgeCueSettings &a, const vpEdgeCueSettings &b)
+{
+  return a.range == b.range && a.contrast == b.contrast && a.mu1 == b.mu1 && a.mu2 == b.mu2 &&
+         a.maskSize == b.maskSize && a.candidates == b.candidates;
+}
+inline bool operator==(const vpModelViewOptions &a, const vpModelViewOptions &b)
+{
+  return a.sampleStep == b.sampleStep && a.appearAngle == b.appearAngle && a.disappearAngle == b.disappearAngle &&
+         a.nearDistance == b.nearDistance && a.farDistance == b.farDistance && a.border == b.border &&
+         a.visibilitySize == b.visibilitySize;
+}
+inline bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
+{
+  return a.get_projModel() == b.get_projModel() && a.get_px() == b.get_px() && a.get_py() == b.get_py() &&
+         a.get_u0() == b.get_u0() && a.get_v0() == b.get_v0() && a.get_kud() == b.get_kud() &&
+         a.get_kdu() == b.get_kdu();
+}
+inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
+{
+  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.view == b.view && a.klt == b.klt &&
+         a.useLod == b.useLod && a.minLineLength == b.minLineLength && a.minPolygonArea == b.minPolygonArea &&
+         a.clipToImage == b.clipToImage;
+}
+END_VISP_NAMESPACE
+
+#endif
