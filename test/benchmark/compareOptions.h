@@ -36,6 +36,7 @@ struct compareOptions
   std::string model;
   std::vector<Part> parts;
   std::string mesh;
+  std::string writeMesh;
   double unit = 1.;
   std::string config;
   vpPoseVector initPose;
@@ -58,6 +59,7 @@ struct compareOptions
         {"--model", [this](std::istringstream &s) { s >> model; }},
         {"--part", [this](std::istringstream &s) { parts.push_back(readPart(s)); }},
         {"--mesh", [this](std::istringstream &s) { s >> mesh; }},
+        {"--write-mesh", [this](std::istringstream &s) { s >> writeMesh; }},
         {"--unit", [this](std::istringstream &s) { s >> unit; }},
         {"--config", [this](std::istringstream &s) { s >> config; }},
         {"--init-pose", [this](std::istringstream &s) { readInitPose(s.str()); }},
@@ -153,7 +155,8 @@ private:
     }
     std::cout << "\n  --images and --truth are printf patterns (or a video), --part is \"FILE and the 12 numbers of "
                  "its pose\",\n"
-                 "  --init-points is \"u v X Y Z\" repeated, --mesh is what our tracker loads in place of --model.\n";
+                 "  --init-points is \"u v X Y Z\" repeated, --mesh is what our tracker loads in place of --model,\n"
+                 "  --write-mesh where the surface of the model is written as .obj.\n";
   }
 };
 

@@ -7,6 +7,8 @@
 #include "compareOptions.h"
 #include "compareReport.h"
 
+#include <modelFiles.h>
+
 #include <visp3/core/vpTime.h>
 #include <visp3/io/vpImageIo.h>
 #include <visp3/io/vpVideoReader.h>
@@ -110,6 +112,9 @@ int main(int argc, const char *argv[])
     edge.candidates = options.candidates;
     ours.setEdgeSettings(edge);
     std::cout << ours.getModelReport();
+    if (!options.writeMesh.empty()) {
+      writeModelAsObj(*ours.getModel(), options.writeMesh);
+    }
 
     // A tracker of its own measures the projection error of both, with ViSP's own code.
     vpMbGenericTracker judge(1, vpMbGenericTracker::EDGE_TRACKER);
