@@ -14,14 +14,16 @@ void require(bool ok, const char *member, double value, const char *range)
 }
 } // namespace
 
-double vpEdgeCueSettings::toContrast(double threshold, ThresholdScale scale, unsigned int maskSize)
+double vpEdgeCueSettings::toLikelihood(double contrast, unsigned int maskSize)
 {
-  if (scale == CONTRAST) {
-    return threshold;
-  }
   // ViSP's masks add up to 100 n floor(n / 2) on either side of the edge, and the likelihood is the sum of two
   // responses.
-  return threshold / (2. * 100. * maskSize * static_cast<double>(maskSize / 2));
+  return contrast * 2. * 100. * maskSize * static_cast<double>(maskSize / 2);
+}
+
+double vpEdgeCueSettings::toContrast(double threshold, ThresholdScale scale, unsigned int maskSize)
+{
+  return scale == CONTRAST ? threshold : threshold / toLikelihood(1., maskSize);
 }
 
 void vpEdgeCueSettings::set(const vpMe &me, ThresholdScale scale)

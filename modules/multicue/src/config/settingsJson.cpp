@@ -98,7 +98,7 @@ void readObject(const std::string &file, const std::string &object, const Json &
   }
   for (const auto &[key, value] : json.items()) {
     requireKnown(file, "in '" + object + "'", key, keysOf(object));
-    const Entry &entry = settingsEntry(object + '.' + key);
+    const Entry entry = settingsEntry(object + '.' + key);
     const Json &given = value;
     if (!std::visit([&](auto at) { return assign(given, entry.range, at(draft)); }, entry.place)) {
       refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe());

@@ -41,7 +41,7 @@ void takeThreshold(const XmlDocument &document, Draft &draft)
   edge.contrast = vpEdgeCueSettings::toContrast(
       threshold.text().as_double(), inGrayLevels ? vpEdgeCueSettings::CONTRAST : vpEdgeCueSettings::LIKELIHOOD,
       edge.maskSize);
-  const Entry &contrast = settingsEntry("edge.contrast");
+  const Entry contrast = settingsEntry("edge.contrast");
   if (!contrast.range.contains(edge.contrast)) {
     document.refuse(threshold,
                     "<edge_threshold> in <contrast> is " + numberText(edge.contrast) + " gray levels, it must be " +

@@ -201,6 +201,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   m_impl->klt = settings.klt;
   m_impl->me.setRange(static_cast<unsigned int>(settings.edge.range));
   m_impl->me.setMaskSize(settings.edge.maskSize);
+  m_impl->me.setThreshold(vpEdgeCueSettings::toLikelihood(settings.edge.contrast, settings.edge.maskSize));
   m_impl->me.setMu1(settings.edge.mu1);
   m_impl->me.setMu2(settings.edge.mu2);
   m_impl->me.setSampleStep(settings.view.sampleStep);
@@ -212,9 +213,8 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   if (settings.view.farDistance != farBefore) {
     setFarClippingDistance(settings.view.farDistance);
   }
-  if (settings.clipToImage) {
-    setClipping(clippingFlag | vpPolygon3D::FOV_CLIPPING);
-  }
+  const unsigned int fov = vpPolygon3D::FOV_CLIPPING;
+  setClipping(settings.clipToImage ? clippingFlag | fov : clippingFlag & ~fov);
   setLod(settings.useLod);
   setMinLineLengthThresh(settings.minLineLength);
   setMinPolygonAreaThresh(settings.minPolygonArea);

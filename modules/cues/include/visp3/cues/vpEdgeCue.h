@@ -36,6 +36,9 @@ struct VISP_EXPORT vpEdgeCueSettings
   //! \return \e threshold in gray levels. \param maskSize Side of the mask, pixels.
   static double toContrast(double threshold, ThresholdScale scale, unsigned int maskSize);
 
+  //! \return \e contrast (gray levels) in the scale LIKELIHOOD. \param maskSize Side of the mask, pixels.
+  static double toLikelihood(double contrast, unsigned int maskSize);
+
   //! \throw vpException naming the first member out of range.
   void check() const;
 };
