@@ -233,6 +233,47 @@ TEST_CASE("A camera with lens distortion is tracked with and displayed in its ow
   CHECK(rotationError(tracker.getPose(), truth) < 0.2);
 }
 
+TEST_CASE("Moving-edge parameters are honoured and told in both scales", "[tracker]")
+{
+  vpMbMultiCueTracker tracker;
+  CHECK(tracker.getMovingEdge().getThreshold() == Approx(10000.)); // 5 gray levels for a mask of 5 x 5.
+  vpMe me;
+  me.setMaskSize(7);
+  me.setRange(12);
+  me.setMu1(0.4);
+  me.setMu2(0.6);
+  me.setSampleStep(6.);
+  me.setThreshold(42000.);
+  tracker.setMovingEdge(me, vpEdgeCueSettings::LIKELIHOOD);
+  CHECK(tracker.getEdgeSettings().contrast == Approx(10.)); // 42000 / (2 * 100 * 7 * 3)
+  CHECK(tracker.getEdgeSettings().range == 12.);
+  CHECK(tracker.getMovingEdge().getThreshold() == 42000.);
+  CHECK(tracker.getMovingEdge().getSampleStep() == 6.);
+  me.setThreshold(20.);
+  tracker.setMovingEdge(me, vpEdgeCueSettings::CONTRAST);
+  CHECK(tracker.getEdgeSettings().contrast == 20.);
+  tracker.resetTracker();
+  CHECK(tracker.getMovingEdge().getRange() == 10);
+}
+
+TEST_CASE("A jump of the light does not lose the object", "[tracker]")
+{
+  renderedBox box;
+  vpMbMultiCueTracker tracker;
+  prepare(tracker, renderedBox::writeCao("light-box.cao"));
+  vpImage<unsigned char> I = box.draw(renderedBox::pose());
+  tracker.initFromPose(I, renderedBox::pose());
+  tracker.track(I);
+  for (const double gain : {0.4, 1., 0.3}) {
+    vpImage<unsigned char> lit(I.getHeight(), I.getWidth());
+    std::transform(I.bitmap, I.bitmap + I.getSize(), lit.bitmap,
+                   [gain](unsigned char level) { return static_cast<unsigned char>(gain * level); });
+    tracker.track(lit);
+    CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+    CHECK(translationError(tracker.getPose(), renderedBox::pose()) < 0.0005);
+  }
+}
+
 TEST_CASE("Several files make one model, and resetTracker forgets them", "[tracker]")
 {
   vpMbMultiCueTracker tracker;

@@ -56,7 +56,6 @@ vpMbMultiCueTracker::vpMbMultiCueTracker() : vpMbMultiCueTracker(EDGE_TRACKER)
 vpMbMultiCueTracker::vpMbMultiCueTracker(int type) : m_impl(std::make_unique<Impl>())
 {
   setTrackerType(type);
-  m_impl->me.setRange(static_cast<unsigned int>(m_impl->edges.settings().range));
 }
 
 vpMbMultiCueTracker::~vpMbMultiCueTracker() = default;

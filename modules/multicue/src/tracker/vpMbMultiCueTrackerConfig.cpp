@@ -58,6 +58,7 @@ void vpMbMultiCueTracker::getMovingEdge(vpMe &me) const
 void vpMbMultiCueTracker::setEdgeSettings(const vpEdgeCueSettings &settings)
 {
   m_impl->edges.setSettings(settings);
+  m_impl->updateMe();
 }
 
 vpEdgeCueSettings vpMbMultiCueTracker::getEdgeSettings() const
@@ -199,12 +200,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   m_impl->edges.setSettings(settings.edge);
   m_impl->viewOptions.sampleStep = settings.view.sampleStep;
   m_impl->klt = settings.klt;
-  m_impl->me.setRange(static_cast<unsigned int>(settings.edge.range));
-  m_impl->me.setMaskSize(settings.edge.maskSize);
-  m_impl->me.setThreshold(vpEdgeCueSettings::toLikelihood(settings.edge.contrast, settings.edge.maskSize));
-  m_impl->me.setMu1(settings.edge.mu1);
-  m_impl->me.setMu2(settings.edge.mu2);
-  m_impl->me.setSampleStep(settings.view.sampleStep);
+  m_impl->updateMe();
   angleAppears = vpMath::rad(settings.view.appearAngle);
   angleDisappears = vpMath::rad(settings.view.disappearAngle);
   if (settings.view.nearDistance != nearBefore) {

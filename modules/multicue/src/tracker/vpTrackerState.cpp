@@ -18,6 +18,17 @@ const char *toString(vpTrackingState state)
   return "LOST";
 }
 
+void vpMbMultiCueTracker::Impl::updateMe()
+{
+  const vpEdgeCueSettings &settings = edges.settings();
+  me.setRange(static_cast<unsigned int>(settings.range));
+  me.setMaskSize(settings.maskSize);
+  me.setThreshold(vpEdgeCueSettings::toLikelihood(settings.contrast, settings.maskSize));
+  me.setMu1(settings.mu1);
+  me.setMu2(settings.mu2);
+  me.setSampleStep(viewOptions.sampleStep);
+}
+
 const vpTrackedModel &vpMbMultiCueTracker::Impl::requireModel() const
 {
   if (!model) {

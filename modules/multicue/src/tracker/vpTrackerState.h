@@ -12,6 +12,10 @@ BEGIN_VISP_NAMESPACE
 class vpMbMultiCueTracker::Impl
 {
 public:
+  Impl() { updateMe(); }
+
+  //! Lets getMovingEdge() say what the edge cue does.
+  void updateMe();
   //! \throw vpException before loadModel().
   const vpTrackedModel &requireModel() const;
   void setModel(vpTrackedModel &&loaded);
