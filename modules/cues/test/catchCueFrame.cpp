@@ -51,7 +51,7 @@ Eigen::Vector2d undistorted(const vpCameraParameters &cam, const Eigen::Vector2d
   const Eigen::Vector2d centre(cam.get_u0(), cam.get_v0());
   const Eigen::Vector2d taken = (pixel - centre) / cam.get_px();
   Eigen::Vector2d straight = taken;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 12; ++i) {
     straight = taken / stretch(cam, straight.norm());
   }
   return centre + cam.get_px() * straight;

@@ -87,8 +87,11 @@ void dropMasked(const vpCueFrame &frame, const vpControlPoint &point, vpEdgeSear
 }
 
 // Keeps the extrema that may be the edge that was seen before, the most alike first.
-void select(vpEdgeSearch::Extrema &extrema, const float *reference, const vpEdgeCueSettings &settings)
+vpFeatureState select(vpEdgeSearch::Extrema &extrema, const float *reference, const vpEdgeCueSettings &settings)
 {
+  if (extrema.first == extrema.last) {
+    return vpFeatureState::THRESHOLD;
+  }
   const double remembered = reference == nullptr ? 0. : static_cast<double>(*reference);
   if (reference != nullptr) {
     extrema.last = std::remove_if(extrema.first, extrema.last, [&](const vpEdgeSearch::Extremum &extremum) {
@@ -103,6 +106,7 @@ void select(vpEdgeSearch::Extrema &extrema, const float *reference, const vpEdge
   const std::ptrdiff_t kept = std::min<std::ptrdiff_t>(extrema.last - extrema.first, settings.candidates);
   std::partial_sort(extrema.first, extrema.first + kept, extrema.last, likelier);
   extrema.last = extrema.first + kept;
+  return kept == 0 ? vpFeatureState::CONTRAST : vpFeatureState::GOOD;
 }
 
 vpEdgeCue::Candidate toCandidate(const vpControlPoint &point, const vpEdgeSearch::Extremum &extremum,
@@ -144,12 +148,8 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     const float reference = memory == nullptr ? 0.F : memory->contrast * static_cast<float>(point.side);
     vpEdgeSearch::Extrema extrema = search.along(point.pixel, point.normal);
     dropMasked(frame, point, extrema);
-    match.state = extrema.first == extrema.last ? vpFeatureState::THRESHOLD : vpFeatureState::GOOD;
-    select(extrema, memory == nullptr ? nullptr : &reference, m_settings);
+    match.state = select(extrema, memory == nullptr ? nullptr : &reference, m_settings);
     match.count = static_cast<int>(extrema.last - extrema.first);
-    if (match.count == 0 && match.state == vpFeatureState::GOOD) {
-      match.state = vpFeatureState::CONTRAST;
-    }
     for (const vpEdgeSearch::Extremum *extremum = extrema.first; extremum != extrema.last; ++extremum) {
       m_candidates.push_back(toCandidate(point, *extremum, m_camera));
     }
