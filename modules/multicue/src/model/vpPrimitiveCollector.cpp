@@ -37,11 +37,12 @@ vpTrackedModelBuilder vpPrimitiveCollector::add(const vpTrackedModelBuilder &bui
 }
 
 void vpPrimitiveCollector::loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename,
-                                        int &startIdFace, bool verbose, bool parent, const vpHomogeneousMatrix &odTo)
+                                        int &startIdFace, bool, bool, const vpHomogeneousMatrix &odTo)
 {
   const unsigned int readBefore = m_partsRead;
   try {
-    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, verbose, parent, odTo);
+    // Neither verbose nor, which makes ViSP print as well, a parent.
+    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, false, false, odTo);
   } catch (...) {
     const unsigned int parts = countPartsOfCaoParent(modelFile);
     if (parts == 0 || m_partsRead != readBefore + parts) {

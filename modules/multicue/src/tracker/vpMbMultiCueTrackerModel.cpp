@@ -92,7 +92,8 @@ void vpMbMultiCueTracker::loadCAOModel(const std::string &modelFile, std::vector
                                        int &startIdFace, bool verbose, bool parent, const vpHomogeneousMatrix &odTo)
 {
   try {
-    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, verbose, parent, odTo);
+    // To ViSP being a parent means printing; else it does not matter.
+    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, verbose, parent && verbose, odTo);
   } catch (...) {
     // collect() has read the same file without an error: what fails is the end of a file of load() lines alone.
     if (countPartsOfCaoParent(modelFile) == 0) {
