@@ -5,7 +5,6 @@
 #include "viewChecks.h"
 
 #include <cstdlib>
-#include <cstring>
 #include <new>
 
 using namespace modelShapes;
@@ -23,6 +22,14 @@ void *operator new(std::size_t size)
     return memory;
   }
   throw std::bad_alloc();
+}
+
+// Standard algorithms ask for temporary memory so; AddressSanitizer has its own one unless it is replaced with the
+// rest.
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+  ++allocations;
+  return std::malloc(size == 0 ? 1 : size);
 }
 
 void operator delete(void *memory) noexcept
