@@ -21,16 +21,7 @@ Model build(const vpTrackedModelBuilder &builder)
 Model makeBox()
 {
   vpTrackedModelBuilder builder;
-  const Eigen::Vector3d half(0.06, 0.04, 0.05);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {-1., 1.}) {
-      const Eigen::Vector3d out = sign * Eigen::Vector3d::Unit(axis);
-      const Eigen::Vector3d right = Eigen::Vector3d::Unit((axis + 1) % 3);
-      const Eigen::Vector3d up = out.cross(right);
-      builder.addFace({half.cwiseProduct(out - right - up), half.cwiseProduct(out + right - up),
-                       half.cwiseProduct(out + right + up), half.cwiseProduct(out - right + up)});
-    }
-  }
+  addBox(builder, {0.06, 0.04, 0.05});
   return build(builder);
 }
 

@@ -5,6 +5,9 @@
 
 #include <catchMain.h>
 
+#include <set>
+#include <string>
+
 using namespace edgeScenes;
 
 namespace {
@@ -130,17 +133,60 @@ TEST_CASE("a point at a change of contrast keeps its own", "[edge-memory]")
   for (const double step : {1.7, 2.3, 3.1, 4.}) {
     options.sampleStep = step;
     const vpModelView view = viewOf({edge}, 50., options);
-    cue.reset();
-    // Between two control points.
-    const double border = 0.5 * (view.points()[view.points().size() / 2 - 1].pixel.x() +
-                                 view.points()[view.points().size() / 2].pixel.x());
-    const vpImage<unsigned char> I = drawHalves(60., 150., border);
+    for (std::size_t i = view.points().size() / 2; i < view.points().size() / 2 + 6; ++i) {
+      // Between two control points.
+      const double border = 0.5 * (view.points()[i - 1].pixel.x() + view.points()[i].pixel.x());
+      const vpImage<unsigned char> I = drawHalves(60., 150., border);
+      cue.reset();
+      match(cue, I, view);
+      learn(cue);
+      match(cue, I, view);
+      INFO("step " << step << " border " << border);
+      CHECK(found(cue) == cue.matches().size());
+    }
+  }
+}
+
+TEST_CASE("an edge keeps its contrast when its other face comes into view", "[edge-memory]")
+{
+  vpTrackedModelBuilder builder;
+  addBox(builder, {0.05, 0.05, 0.05});
+  vpModelView view(std::make_shared<const vpTrackedModel>(builder.build("box")));
+  const auto compute = [&view](const vpHomogeneousMatrix &cMo) {
+    view.compute(cMo, makeCamera(), width, height, vpModelViewOptions(), nullptr);
+    return view.points();
+  };
+  const Eigen::Vector3d middle(0., 0., 0.8);
+  std::size_t turned = 0;
+  std::set<int> edgesDone;
+  // One face in view: its sides' normals point away from it.
+  for (const vpControlPoint &point : compute(vpHomogeneousMatrix(0., 0., 0.8, 0., 0., 0.))) {
+    if (!edgesDone.insert(point.edge).second) {
+      continue;
+    }
+    const auto ofThisEdge = [&point](const vpEdgeCue::Match &match) { return match.point.edge == point.edge; };
+    const vpImage<unsigned char> I = drawStep({point.pixel, std::atan2(-point.normal.x(), point.normal.y())}, 100.);
+    vpEdgeCue cue(tolerances(0.2, 0.2));
+    compute(vpHomogeneousMatrix(0., 0., 0.8, 0., 0., 0.));
     match(cue, I, view);
     learn(cue);
+    // Turned about the edge, which so stays where it is in the image, until the face behind it is seen.
+    const Eigen::Vector3d outward = Eigen::Vector3d(point.normal.x(), point.normal.y(), 0.);
+    const Eigen::Vector3d axis = 0.7 * Eigen::Vector3d::UnitZ().cross(outward);
+    const Eigen::AngleAxisd turn(0.7, axis.normalized());
+    const Eigen::Vector3d t = turn * -point.position + point.position + middle;
+    compute(vpHomogeneousMatrix(t.x(), t.y(), t.z(), axis.x(), axis.y(), axis.z()));
     match(cue, I, view);
-    INFO("step " << step);
-    CHECK(found(cue) == cue.matches().size());
+    for (const vpEdgeCue::Match &match : cue.matches()) {
+      if (ofThisEdge(match)) {
+        CHECK(match.point.kind == vpEdgeKind::INNER);
+        CHECK(match.state == vpFeatureState::GOOD);
+        turned += match.point.side != point.side;
+      }
+    }
   }
+  CHECK(edgesDone.size() == 4);
+  CHECK(turned > 10);
 }
 
 TEST_CASE("a point stands for the stretch to its nearer neighbour, alone for the whole edge", "[edge-memory]")

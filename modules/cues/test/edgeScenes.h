@@ -6,6 +6,8 @@
 #include <visp3/cues/vpFrameSource.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -123,6 +125,20 @@ inline vpModelView viewOf(const std::vector<Line> &lines, double halfLength = 40
   vpModelView view(std::make_shared<const vpTrackedModel>(builder.build("lines")));
   view.compute(vpHomogeneousMatrix(), makeCamera(), width, height, options, nullptr);
   return view;
+}
+
+//! A box around the origin. \param half Half the lengths of its sides, metres.
+inline void addBox(vpTrackedModelBuilder &builder, const Eigen::Vector3d &half)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1., 1.}) {
+      const Eigen::Vector3d out = sign * Eigen::Vector3d::Unit(axis);
+      const Eigen::Vector3d right = Eigen::Vector3d::Unit((axis + 1) % 3);
+      const Eigen::Vector3d up = out.cross(right);
+      builder.addFace({half.cwiseProduct(out - right - up), half.cwiseProduct(out + right - up),
+                       half.cwiseProduct(out + right + up), half.cwiseProduct(out - right + up)});
+    }
+  }
 }
 
 //! Where along its normal a control point meets a line of the image, pixels.
