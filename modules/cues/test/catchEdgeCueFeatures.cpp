@@ -41,6 +41,14 @@ void *operator new[](std::size_t size)
   return allocate(size);
 }
 
+// Standard algorithms ask for temporary memory so; AddressSanitizer has its own one unless it is replaced with the
+// rest.
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+  ++allocations;
+  return std::malloc(size == 0 ? 1 : size);
+}
+
 void operator delete(void *memory) noexcept
 {
   std::free(memory);
