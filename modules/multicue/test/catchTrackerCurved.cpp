@@ -63,8 +63,8 @@ std::string writeStl(const std::vector<modelShapes::Triangle> &triangles, const 
   return name;
 }
 
-// Shaded a little by the angle to the line of sight (shade that falls off at the rim moves the edge of the image itself),
-// with anti-aliasing, on a dark background.
+// Shaded a little by the angle to the line of sight (shade that falls off at the rim moves the edge of the image
+// itself), with anti-aliasing, on a dark background.
 class Painter
 {
 public:
