@@ -4,6 +4,8 @@
 #include "modelFiles.h"
 #include "recording.h"
 
+#include <meshFiles.h>
+
 #include <visp3/mbt/vpMbGenericTracker.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
@@ -72,7 +74,8 @@ TEST_CASE("The cube as a mesh is tracked as well as the .cao", "[sequence]")
   vpMbMultiCueTracker tracker;
   const Outcome polygons = followModel(tracker, recording::path("mbt/cube.cao"));
   vpMbMultiCueTracker meshTracker;
-  const Outcome mesh = followModel(meshTracker, writeModelAsObj(*tracker.getModel(), "cube-as-mesh.obj"));
+  const Outcome mesh =
+      followModel(meshTracker, writeModelAsObj(*tracker.getModel(), meshFiles::temporaryFile("cube-as-mesh.obj")));
   CHECK(mesh.tracking == frames);
   CHECK(meshTracker.getModelReport().edges == 12);
   CHECK(recording::median(mesh.errors) <= 1.02 * recording::median(polygons.errors));

@@ -52,6 +52,13 @@ private:
   std::filesystem::path m_path;
 };
 
+//! Path of a file in a folder that lives as long as the test program.
+inline std::string temporaryFile(const std::string &name)
+{
+  static const TemporaryFolder folder;
+  return folder.path(name);
+}
+
 template <class Number> void append(std::string &bytes, Number number)
 {
   char raw[sizeof(Number)];

@@ -3,6 +3,8 @@
 
 #include "renderedBox.h"
 
+#include <meshFiles.h>
+
 #include <visp3/core/vpExponentialMap.h>
 #include <visp3/core/vpImageTools.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
@@ -64,8 +66,8 @@ TEST_CASE("A box is followed, with one candidate and with several, from .cao and
           "[tracker]")
 {
   renderedBox box;
-  const std::string cao = renderedBox::writeCao("followed-box.cao");
-  const std::string obj = renderedBox::writeObj("followed-box.obj", 1000.);
+  const std::string cao = renderedBox::writeCao(meshFiles::temporaryFile("followed-box.cao"));
+  const std::string obj = renderedBox::writeObj(meshFiles::temporaryFile("followed-box.obj"), 1000.);
   for (const std::string &model : {cao, obj}) {
     for (const unsigned int candidates : {1U, 3U}) {
       for (const vpMbTracker::vpMbtOptimizationMethod method :
@@ -91,7 +93,7 @@ TEST_CASE("Colour images give the poses of gray ones, and the same images the sa
   renderedBox box;
   vpMbMultiCueTracker gray, color, again;
   for (vpMbMultiCueTracker *tracker : {&gray, &color, &again}) {
-    prepare(*tracker, renderedBox::writeCao("colour-box.cao"));
+    prepare(*tracker, renderedBox::writeCao(meshFiles::temporaryFile("colour-box.cao")));
   }
   for (int i = 0; i < 5; ++i) {
     const vpImage<unsigned char> I = box.draw(poseAt(i));
@@ -116,7 +118,7 @@ TEST_CASE("Degrees of freedom that are not estimated stay, in the object's frame
 {
   renderedBox box;
   vpMbMultiCueTracker tracker;
-  prepare(tracker, renderedBox::writeCao("dof-box.cao"));
+  prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("dof-box.cao")));
   vpColVector free(6, 1.);
   free[2] = 0.;
   free[4] = 0.;
@@ -145,7 +147,7 @@ TEST_CASE("The covariance is that of the pose, and nothing is left of a mask", "
 {
   renderedBox box;
   vpMbMultiCueTracker tracker;
-  prepare(tracker, renderedBox::writeCao("covariance-box.cao"));
+  prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("covariance-box.cao")));
   tracker.setCovarianceComputation(true);
   tracker.setProjectionErrorComputation(true);
   const vpImage<unsigned char> I = box.draw(renderedBox::pose());
@@ -180,7 +182,7 @@ TEST_CASE("What is displayed are the visible edges", "[tracker]")
 {
   renderedBox box;
   vpMbMultiCueTracker tracker;
-  prepare(tracker, renderedBox::writeCao("display-box.cao"));
+  prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("display-box.cao")));
   const vpImage<unsigned char> I = box.draw(renderedBox::pose());
   tracker.initFromPose(I, renderedBox::pose());
   tracker.track(I);
@@ -224,7 +226,7 @@ TEST_CASE("A camera with lens distortion is tracked with and displayed in its ow
   }
   vpMbMultiCueTracker tracker;
   tracker.setCameraParameters(distorted);
-  tracker.loadModel(renderedBox::writeCao("distorted-box.cao"));
+  tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("distorted-box.cao")));
   tracker.initFromPose(I, truth * vpHomogeneousMatrix(0.002, -0.001, 0.001, 0., 0.01, 0.));
   for (int i = 0; i < 2; ++i) {
     tracker.track(I);
@@ -260,7 +262,7 @@ TEST_CASE("A jump of the light does not lose the object", "[tracker]")
 {
   renderedBox box;
   vpMbMultiCueTracker tracker;
-  prepare(tracker, renderedBox::writeCao("light-box.cao"));
+  prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("light-box.cao")));
   vpImage<unsigned char> I = box.draw(renderedBox::pose());
   tracker.initFromPose(I, renderedBox::pose());
   tracker.track(I);
@@ -277,7 +279,7 @@ TEST_CASE("A jump of the light does not lose the object", "[tracker]")
 TEST_CASE("Several files make one model, and resetTracker forgets them", "[tracker]")
 {
   vpMbMultiCueTracker tracker;
-  const std::string box = renderedBox::writeCao("part-box.cao");
+  const std::string box = renderedBox::writeCao(meshFiles::temporaryFile("part-box.cao"));
   tracker.loadModel(box);
   CHECK(tracker.getModelReport().edges == 12);
   tracker.loadModel(box, false, vpHomogeneousMatrix(0.5, 0., 0., 0., 0., 0.));
@@ -285,12 +287,12 @@ TEST_CASE("Several files make one model, and resetTracker forgets them", "[track
   CHECK(tracker.getNbPolygon() == 12);
   CHECK(tracker.getModelReport().size.x() == Approx(0.7));
 
-  std::ofstream parent("parent.cao");
+  std::ofstream parent(meshFiles::temporaryFile("parent.cao"));
   parent << "V1\nload(\"part-box.cao\") # one\nload(\"part-box.cao\", t=[0.5; 0; 0])\n";
   parent.close();
   tracker.setCameraParameters(renderedBox::camera());
   const vpImage<unsigned char> I(480, 640, 0);
-  tracker.reInitModel(I, "parent.cao", renderedBox::pose());
+  tracker.reInitModel(I, meshFiles::temporaryFile("parent.cao"), renderedBox::pose());
   CHECK(tracker.getModelReport().edges == 24);
   CHECK(tracker.getNbPolygon() == 12);
 

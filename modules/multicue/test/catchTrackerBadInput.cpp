@@ -3,6 +3,8 @@
 
 #include "renderedBox.h"
 
+#include <meshFiles.h>
+
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpTrackingException.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
@@ -17,7 +19,7 @@ struct Fixture
   Fixture()
   {
     tracker.setCameraParameters(renderedBox::camera());
-    tracker.loadModel(renderedBox::writeCao("bad-input-box.cao"));
+    tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("bad-input-box.cao")));
     I = box.draw(renderedBox::pose());
     tracker.initFromPose(I, renderedBox::pose());
     tracker.track(I);
@@ -53,16 +55,18 @@ TEST_CASE("A model file that is missing, empty or broken is refused by name, and
   CHECK_THAT(messageOf([&] { f.tracker.loadModel("no-such-model.cao"); }), ContainsSubstring("no-such-model.cao"));
   CHECK_THAT(messageOf([&] { f.tracker.loadModel("no-such-model.obj"); }), ContainsSubstring("no-such-model.obj"));
   for (const std::string name : {"empty-model.cao", "empty-model.obj", "empty-model.wrl"}) {
-    std::ofstream file(name);
+    const std::string path = meshFiles::temporaryFile(name);
+    std::ofstream file(path);
     file.close();
-    CHECK_THAT(messageOf([&] { f.tracker.loadModel(name); }), ContainsSubstring(name));
+    CHECK_THAT(messageOf([&] { f.tracker.loadModel(path); }), ContainsSubstring(name));
   }
   for (const std::string text :
        {"V1\n", "V1\n3\n0 0 0\n1 0", "rubbish", "V1\n0\n0\n0\n0\n0\n0\n", "V1\nload(\"nothing.cao\")\n"}) {
-    std::ofstream file("broken-model.cao");
+    const std::string path = meshFiles::temporaryFile("broken-model.cao");
+    std::ofstream file(path);
     file << text;
     file.close();
-    CHECK_THAT(messageOf([&] { f.tracker.loadModel("broken-model.cao"); }), ContainsSubstring("broken-model.cao"));
+    CHECK_THAT(messageOf([&] { f.tracker.loadModel(path); }), ContainsSubstring("broken-model.cao"));
   }
   CHECK_THAT(messageOf([&] { f.tracker.loadModel("model.docx"); }), ContainsSubstring("model.docx"));
   f.requireUsable();
@@ -71,11 +75,13 @@ TEST_CASE("A model file that is missing, empty or broken is refused by name, and
 TEST_CASE("A model in millimetres read as metres is refused with its size", "[tracker]")
 {
   Fixture f;
-  const std::string name = renderedBox::writeObj("millimetres.obj", 1000.);
+  const std::string name = renderedBox::writeObj(meshFiles::temporaryFile("millimetres.obj"), 1000.);
   const std::string message = messageOf([&] { f.tracker.loadModel(name); });
   CHECK_THAT(message, ContainsSubstring("millimetres.obj"));
   CHECK_THAT(message, ContainsSubstring("246")); // The diagonal of 200 x 120 x 80.
-  CHECK_THAT(messageOf([&] { f.tracker.loadModel(renderedBox::writeCao("millimetres.cao", 1000.)); }),
+  CHECK_THAT(messageOf([&] {
+               f.tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("millimetres.cao"), 1000.));
+             }),
              ContainsSubstring("246"));
   f.requireUsable();
 
@@ -137,10 +143,11 @@ TEST_CASE("A camera that is singular is refused", "[tracker]")
 TEST_CASE("A configuration file with an unknown node is refused by name, and nothing changes", "[tracker]")
 {
   Fixture f;
-  std::ofstream file("unknown-node.xml");
+  const std::string path = meshFiles::temporaryFile("unknown-node.xml");
+  std::ofstream file(path);
   file << "<?xml version=\"1.0\"?>\n<conf>\n  <camera><px>1</px><py>1</py></camera>\n  <emc><range/></emc>\n</conf>\n";
   file.close();
-  const std::string message = messageOf([&] { f.tracker.loadConfigFile("unknown-node.xml", false); });
+  const std::string message = messageOf([&] { f.tracker.loadConfigFile(path, false); });
   CHECK_THAT(message, ContainsSubstring("unknown-node.xml"));
   CHECK_THAT(message, ContainsSubstring("emc"));
   CHECK_THAT(messageOf([&] { f.tracker.loadConfigFile("no-such-file.xml", false); }),
@@ -173,7 +180,7 @@ TEST_CASE("A tracker that lacks model or pose says so", "[tracker]")
   CHECK_THAT(messageOf([&] { tracker.initFromPose(I, renderedBox::pose()); }), ContainsSubstring("loadModel"));
   CHECK_THAT(messageOf([&] { tracker.getModelForDisplay(640, 480, renderedBox::pose(), renderedBox::camera()); }),
              ContainsSubstring("loadModel"));
-  tracker.loadModel(renderedBox::writeCao("no-pose-box.cao"));
+  tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("no-pose-box.cao")));
   CHECK_THAT(messageOf([&] { tracker.track(I); }), ContainsSubstring("initFromPose"));
 }
 

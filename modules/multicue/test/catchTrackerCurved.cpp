@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
+#include <meshFiles.h>
 #include <modelShapes.h>
 
 #include <visp3/core/vpExponentialMap.h>
@@ -139,7 +140,7 @@ TEST_CASE("A mesh without edges is tracked by its rims", "[tracker]")
 {
   vpMbMultiCueTracker tracker;
   tracker.setCameraParameters(camera());
-  tracker.loadModel(writeStl(makeLump(), "lump.stl"));
+  tracker.loadModel(writeStl(makeLump(), meshFiles::temporaryFile("lump.stl")));
   REQUIRE(tracker.getModelReport().edges == 0);
   follow(tracker, [](const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &truth) {
     CHECK((cMo.getTranslationVector() - truth.getTranslationVector()).frobeniusNorm() < 0.002);
@@ -149,13 +150,14 @@ TEST_CASE("A mesh without edges is tracked by its rims", "[tracker]")
 
 TEST_CASE("A cylinder of a .cao file is tracked by limbs and circles, and does not spin", "[tracker]")
 {
-  std::ofstream file("can.cao");
+  const std::string name = meshFiles::temporaryFile("can.cao");
+  std::ofstream file(name);
   file << "V1\n6\n0 0 -0.06\n0 0 0.06\n0.04 0 0.06\n0 0.04 0.06\n0.04 0 -0.06\n0 0.04 -0.06\n"
        << "0\n0\n0\n1\n0 1 0.04\n2\n0.04 1 2 3\n0.04 0 5 4\n";
   file.close();
   vpMbMultiCueTracker tracker;
   tracker.setCameraParameters(camera());
-  tracker.loadModel("can.cao");
+  tracker.loadModel(name);
   REQUIRE(tracker.getModelReport().cylinders == 1);
   REQUIRE(tracker.getModelReport().circles == 2);
   follow(tracker, [](const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &truth) {
