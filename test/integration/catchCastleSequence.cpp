@@ -53,7 +53,7 @@ template <typename Tracker> Errors follow(Tracker &tracker, bool withCube)
   Errors errors;
   bool alive = true;
   for (int frame = firstFrame; frame <= lastFrame; ++frame) {
-    const vpImage<unsigned char> I = recording::image(folder + "Images/Image_%04d.pgm", frame);
+    const vpImage<unsigned char> I = recording::image(folder + "Images/Image_%04d", frame);
     const vpHomogeneousMatrix truth = recording::pose(folder + "CameraPose/Camera_%03d.txt", frame);
     if (frame == firstFrame) {
       tracker.initFromPose(I, truth);

@@ -37,7 +37,7 @@ template <typename Tracker> Outcome follow(Tracker &tracker)
   judge.getCameraParameters(cam);
   Outcome outcome;
   for (int frame = 0; frame < frames; ++frame) {
-    const vpImage<unsigned char> I = recording::image("mbt/cube/image%04d.pgm", frame);
+    const vpImage<unsigned char> I = recording::image("mbt/cube/image%04d", frame);
     if (frame == 0) {
       tracker.initFromPose(I, recording::path("mbt/cube.0.pos"));
     }

@@ -24,7 +24,7 @@ namespace recording {
 inline std::string path(const std::string &name)
 {
   const std::string file = vpIoTools::createFilePath(vpIoTools::getViSPImagesDataPath(), name);
-  if (!vpIoTools::checkFilename(file) && !vpIoTools::checkDirectory(file)) {
+  if (!vpIoTools::checkFilename(file)) {
     throw vpException(
         vpException::ioError,
         "'%s' was not found: install ViSP's data set (Debian: visp-images-data) or set VISP_INPUT_IMAGE_PATH",
@@ -40,10 +40,12 @@ inline std::string numbered(const std::string &pattern, int frame)
   return name;
 }
 
+//! \param pattern Without the type: images are .pgm up to ViSP 3.5 and .png later.
 inline vpImage<unsigned char> image(const std::string &pattern, int frame)
 {
+  const std::string name = vpIoTools::createFilePath(vpIoTools::getViSPImagesDataPath(), numbered(pattern, frame));
   vpImage<unsigned char> I;
-  vpImageIo::read(I, path(numbered(pattern, frame)));
+  vpImageIo::read(I, vpIoTools::checkFilename(name + ".png") ? name + ".png" : path(numbered(pattern, frame) + ".pgm"));
   return I;
 }
 

@@ -36,7 +36,9 @@ double maskResponse(const vpMe &me)
       sum += std::max(mask[i][j], 0.);
     }
   }
-  return sum;
+  // From 3.6 on ViSP divides its masks by this.
+  const double normalised = 100. * mask.getRows() * (mask.getRows() / 2);
+  return sum < 2. ? sum * normalised : sum;
 }
 } // namespace
 
