@@ -6,7 +6,9 @@
 
 /*!
   \file vpCompatibility.h
-  The differences between the ViSP versions that are supported (3.5, 3.6 and 3.7), in one place.
+  The differences between the ViSP versions that are supported (3.5, 3.6 and 3.7), in one place. Only the new name of
+  one protected member of vpMbTracker is elsewhere, beside the two sources that use it: it takes a macro, which must not
+  reach users.
 */
 
 #ifndef BEGIN_VISP_NAMESPACE
