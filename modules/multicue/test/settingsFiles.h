@@ -2,44 +2,18 @@
 #ifndef settingsFiles_h
 #define settingsFiles_h
 
+#include <meshFiles.h>
+
 #include <visp3/core/vpException.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
 
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <string>
 
 //! Configuration files that tests write and read, and what they are compared with.
 namespace settingsFiles {
-//! A folder of its own that lives as long as the object.
-class Folder
-{
-public:
-  Folder()
-      : m_path(std::filesystem::temp_directory_path() / ("multicue-settings-" + std::to_string(std::random_device()())))
-  {
-    std::filesystem::create_directory(m_path);
-  }
-  ~Folder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(m_path, error);
-  }
-  Folder(const Folder &) = delete;
-  Folder &operator=(const Folder &) = delete;
-
-  std::string path(const std::string &name) const { return (m_path / name).string(); }
-  std::string write(const std::string &name, const std::string &text) const
-  {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
-private:
-  std::filesystem::path m_path;
-};
+using Folder = meshFiles::TemporaryFolder;
 
 inline std::string textOf(const std::string &file)
 {
