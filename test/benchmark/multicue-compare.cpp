@@ -4,8 +4,8 @@
   Runs vpMbMultiCueTracker and ViSP's vpMbGenericTracker(EDGE_TRACKER) side by side on the frames of a recording and
   prints who held the object, how well, and in what time.
 */
-#include "compareOptions.h"
-#include "compareReport.h"
+#include "evaluate/compareOptions.h"
+#include "evaluate/compareReport.h"
 
 #include <modelFiles.h>
 
