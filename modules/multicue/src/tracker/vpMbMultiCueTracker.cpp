@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpException.h>
@@ -150,22 +151,30 @@ void vpMbMultiCueTracker::setPose(const vpImage<vpRGBa> &I_color, const vpHomoge
   start(I_color.getWidth(), I_color.getHeight());
 }
 
-void vpMbMultiCueTracker::track(const vpImage<unsigned char> &I)
+template <typename Pixel> void vpMbMultiCueTracker::trackImage(const vpImage<Pixel> &I)
 {
   requireTrackable(I.getWidth(), I.getHeight());
-  trackFrame(m_impl->source.frame(I, m_cam, m_mask));
+  vpTrackingTimings &timings = m_impl->timings;
+  timings = vpTrackingTimings();
+  const vpStopwatch whole(timings.total);
+  const auto frame = [this, &I, &timings] {
+    const vpStopwatch stage(timings.frame);
+    return m_impl->source.frame(I, m_cam, m_mask);
+  };
+  trackFrame(frame());
   if (computeProjError) {
     projectionError = computeCurrentProjectionError(I, m_cMo, m_cam);
   }
 }
 
+void vpMbMultiCueTracker::track(const vpImage<unsigned char> &I)
+{
+  trackImage(I);
+}
+
 void vpMbMultiCueTracker::track(const vpImage<vpRGBa> &I_color)
 {
-  requireTrackable(I_color.getWidth(), I_color.getHeight());
-  trackFrame(m_impl->source.frame(I_color, m_cam, m_mask));
-  if (computeProjError) {
-    projectionError = computeCurrentProjectionError(I_color, m_cMo, m_cam);
-  }
+  trackImage(I_color);
 }
 
 void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
@@ -200,12 +209,21 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
 }
 
+void vpMbMultiCueTracker::matchFrame(const vpCueFrame &frame)
+{
+  {
+    const vpStopwatch stage(m_impl->timings.view);
+    m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
+  }
+  const vpStopwatch stage(m_impl->timings.match);
+  m_impl->edges.match(frame, *m_impl->view);
+}
+
 bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
 {
   const double limit = maxMotion * m_impl->edges.settings().range;
   for (unsigned int i = 0; i < maxMatches; ++i) {
-    m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
-    m_impl->edges.match(frame, *m_impl->view);
+    matchFrame(frame);
     if (!computeVVS() || !isFinite(m_cMo)) {
       return false;
     }
@@ -241,6 +259,16 @@ void vpMbMultiCueTracker::judge(bool estimated)
 vpTrackingState vpMbMultiCueTracker::getTrackingState() const
 {
   return m_impl->state;
+}
+
+double vpMbMultiCueTracker::getSupport() const
+{
+  return m_impl->expected == 0 ? 0. : static_cast<double>(m_impl->good) / m_impl->expected;
+}
+
+const vpTrackingTimings &vpMbMultiCueTracker::getTimings() const
+{
+  return m_impl->timings;
 }
 
 void vpMbMultiCueTracker::testTracking()

@@ -2,6 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpMbTrackerNames.h"
+#include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpExponentialMap.h>
@@ -129,6 +130,7 @@ void vpMbMultiCueTracker::computeStep(unsigned int iteration, bool allDegreesOfF
 bool vpMbMultiCueTracker::computeVVS()
 {
   Impl &impl = *m_impl;
+  const vpStopwatch stage(impl.timings.pose);
   computeVVSInit();
   if (m_error.getRows() < minRows) {
     return false;

@@ -69,6 +69,7 @@ public:
   unsigned int expected = 0;   // Control points that were searched for.
   unsigned int found = 0;      // That gave a row.
   unsigned int good = 0;       // That the robust estimation kept.
+  vpTrackingTimings timings;
   vpHomogeneousMatrix trusted; // The last pose that was started from or tracked.
 };
 

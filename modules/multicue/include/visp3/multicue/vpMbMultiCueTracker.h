@@ -7,6 +7,7 @@
 #include <visp3/model/vpTrackedModelBuilder.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
 #include <visp3/multicue/vpTrackingState.h>
+#include <visp3/multicue/vpTrackingTimings.h>
 
 #include <memory>
 
@@ -94,6 +95,10 @@ public:
   void track(const vpImage<vpRGBa> &I_color) override;
   //! How the last frame went; UNCERTAIN before the first one.
   vpTrackingState getTrackingState() const;
+  //! Share of the control points that support the pose of the last frame, [0, 1]: the state is judged by it.
+  double getSupport() const;
+  //! Where the time of the last track() went.
+  const vpTrackingTimings &getTimings() const;
   //! \throw vpTrackingException where getTrackingState() is LOST, with the reason.
   void testTracking() override;
   //! Makes track() throw as testTracking() does, as ViSP's trackers do. Off by default.
@@ -191,10 +196,12 @@ private:
   void forgetPrimitives();
   void start(unsigned int width, unsigned int height);
   void requireTrackable(unsigned int width, unsigned int height) const;
+  template <typename Pixel> void trackImage(const vpImage<Pixel> &I);
   void trackFrame(const vpCueFrame &frame);
   bool computeVVS();
   void computeStep(unsigned int iteration, bool allDegreesOfFreedom);
   bool restrictToObserved();
+  void matchFrame(const vpCueFrame &frame);
   bool estimate(const vpCueFrame &frame);
   void judge(bool estimated);
   const vpModelViewOptions &viewOptions() const;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef benchTracker_h
+#define benchTracker_h
+
+#include "dataset/sequence.h"
+
+#include <visp3/core/vpImage.h>
+#include <visp3/core/vpRGBa.h>
+#include <visp3/multicue/vpTrackingState.h>
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+//! An image as trackers want it, both filled.
+struct BenchImage
+{
+  vpImage<vpRGBa> color;
+  vpImage<unsigned char> gray;
+};
+
+//! What a tracker says after an image.
+struct TrackerAnswer
+{
+  vpHomogeneousMatrix cMo;
+  vpTrackingState state = vpTrackingState::LOST;
+  double score = std::numeric_limits<double>::quiet_NaN(); //!< [0, 1]; not a number where the tracker has none.
+  std::vector<double> stages;                              //!< Milliseconds, in the order of BenchTracker::stages().
+};
+
+//! A tracker under test. What an image shows does not make it throw.
+class BenchTracker
+{
+public:
+  virtual ~BenchTracker() = default;
+  virtual void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) = 0;
+  //! The only call whose time is measured.
+  virtual void track(const BenchImage &I) = 0;
+  virtual TrackerAnswer answer() = 0;
+  //! Names of the stages that are timed one by one; may be empty.
+  virtual std::vector<std::string> stages() const { return {}; }
+};
+
+//! Names that makeTracker() knows, ours first.
+std::vector<std::string> trackerNames();
+
+/*!
+  \param name One of trackerNames().
+  \param object Its model is loaded: the mesh where there is one for ours, the .cao for ViSP's.
+  \param cam Camera of the whole sequence.
+  \param config ViSP's XML or our JSON, read on top of the benchmark's settings; empty for none. Its camera is not used.
+  \throw vpException naming the tracker where it is unknown or the object lacks the model that it needs, or what the
+  tracker says of its files.
+*/
+std::unique_ptr<BenchTracker> makeTracker(const std::string &name, const SequenceObject &object,
+                                          const vpCameraParameters &cam, const std::string &config);
+
+//! \return True where the tracker needs a .cao model.
+bool needsCao(const std::string &name);
+
+} // namespace bench
+#endif

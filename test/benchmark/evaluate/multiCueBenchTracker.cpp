@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "evaluate/multiCueBenchTracker.h"
+
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include <functional>
+#include <map>
+
+namespace bench {
+
+namespace {
+using Preset = std::function<void(vpMbMultiCueTracker &)>;
+
+// What each preset changes in a tracker with default settings: a new preset is a line here.
+const std::map<std::string, Preset> &presets()
+{
+  static const std::map<std::string, Preset> table = {
+      {"edge", [](vpMbMultiCueTracker &tracker) { tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER); }},
+  };
+  return table;
+}
+
+class MultiCueBenchTracker : public BenchTracker
+{
+public:
+  MultiCueBenchTracker(const Preset &preset, const SequenceObject &object, const vpCameraParameters &cam,
+                       const std::string &config)
+  {
+    if (!config.empty()) {
+      m_tracker.loadConfigFile(config, false);
+    }
+    m_tracker.setCameraParameters(cam);
+    m_tracker.setModelUnit(object.meshUnit);
+    m_tracker.loadModel(object.mesh.empty() ? object.cao : object.mesh);
+    preset(m_tracker);
+  }
+
+  void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) override { m_tracker.initFromPose(I.color, cMo); }
+  void track(const BenchImage &I) override { m_tracker.track(I.color); }
+
+  TrackerAnswer answer() override
+  {
+    TrackerAnswer answer;
+    m_tracker.getPose(answer.cMo);
+    answer.state = m_tracker.getTrackingState();
+    answer.score = m_tracker.getSupport();
+    const vpTrackingTimings &timings = m_tracker.getTimings();
+    answer.stages = {timings.frame, timings.view, timings.match, timings.pose};
+    return answer;
+  }
+
+  std::vector<std::string> stages() const override { return {"frame", "view", "match", "pose"}; }
+
+private:
+  vpMbMultiCueTracker m_tracker;
+};
+} // namespace
+
+std::vector<std::string> multiCuePresets()
+{
+  std::vector<std::string> names;
+  for (const auto &preset : presets()) {
+    names.push_back(preset.first);
+  }
+  return names;
+}
+
+std::unique_ptr<BenchTracker> makeMultiCueTracker(const std::string &preset, const SequenceObject &object,
+                                                  const vpCameraParameters &cam, const std::string &config)
+{
+  return std::make_unique<MultiCueBenchTracker>(presets().at(preset), object, cam, config);
+}
+
+} // namespace bench

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "evaluate/threads.h"
+
+#include <opencv2/core/utility.hpp>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace bench {
+
+void setThreads(int count)
+{
+  cv::setNumThreads(count);
+#ifdef _OPENMP
+  omp_set_num_threads(count);
+#endif
+}
+
+} // namespace bench

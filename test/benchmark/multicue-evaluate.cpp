@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/*!
+  \file multicue-evaluate.cpp
+  Runs trackers, ours and ViSP's, on sequences with ground truth, and writes tables and pictures of who holds what.
+*/
+#include "evaluate/evaluation.h"
+#include "evaluate/htmlReport.h"
+#include "evaluate/tables.h"
+
+#include <visp3/core/vpException.h>
+
+#include <iostream>
+
+namespace {
+void printFailures(const char *title, const std::vector<bench::Failure> &failures)
+{
+  for (const bench::Failure &failure : failures) {
+    std::cerr << title << " " << failure.what << ": " << failure.why << "\n";
+  }
+}
+} // namespace
+
+int main(int argc, const char *argv[])
+{
+  try {
+    bench::EvaluateOptions options;
+    if (!options.read(argc, argv)) {
+      return 0;
+    }
+    const bench::Evaluation evaluation = bench::evaluate(options);
+    if (!evaluation.runs.empty()) {
+      const std::string table = bench::toMarkdown(evaluation);
+      bench::writeFile(options.out + "/summary.csv", bench::toCsv(evaluation));
+      bench::writeFile(options.out + "/summary.md", table);
+      bench::writeFile(options.out + "/report.html", bench::toHtml(evaluation));
+      std::cout << table << "\nMore in " << options.out << "/report.html and summary.csv" << std::endl;
+    }
+    printFailures("Left out:", evaluation.skipped);
+    printFailures("FAILED:", evaluation.failures);
+    return evaluation.failures.empty() && !evaluation.runs.empty() ? 0 : 1;
+  } catch (const vpException &e) {
+    std::cerr << e.getStringMessage() << std::endl;
+  } catch (const std::exception &e) {
+    std::cerr << e.what() << std::endl;
+  }
+  return 1;
+}
