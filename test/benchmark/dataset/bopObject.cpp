@@ -5,6 +5,9 @@
 #include "dataset/datasetFiles.h"
 #include "dataset/jsonFile.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fs = std::filesystem;
 
 namespace bench {
@@ -81,6 +84,17 @@ SymmetryAxis readAxis(const JsonValue &symmetry)
   return result;
 }
 
+void readSymmetry(const JsonValue &symmetry, SequenceObject &object)
+{
+  const vpHomogeneousMatrix T = checkedTransform(symmetry.numbers(16), millimetre, symmetry.place());
+  const vpHomogeneousMatrix identity;
+  const bool isIdentity =
+      std::equal(T.data, T.data + 16, identity.data, [](double a, double b) { return std::fabs(a - b) < 1e-9; });
+  if (!isIdentity) {
+    object.symmetry.push_back(T);
+  }
+}
+
 void readInfo(const JsonValue &info, SequenceObject &object)
 {
   if (info.has("diameter")) {
@@ -92,7 +106,7 @@ void readInfo(const JsonValue &info, SequenceObject &object)
   }
   if (info.has("symmetries_discrete")) {
     for (const JsonValue &symmetry : info.at("symmetries_discrete").items()) {
-      object.symmetry.push_back(checkedTransform(symmetry.numbers(16), millimetre, symmetry.place()));
+      readSymmetry(symmetry, object);
     }
   }
   if (info.has("symmetries_continuous")) {

@@ -77,14 +77,15 @@ inline void putBopScene(const DatasetFolder &folder, const std::string &scene)
   }
 }
 
-//! The models of objects 2 and 5; object 5 is the same turned half a turn about z, and 2 however it is turned.
+//! The models of objects 2 and 5; object 5 is the same turned half a turn about z (and not at all), and 2 however it is
+//! turned.
 inline void putBopModels(const DatasetFolder &folder, const std::string &models = "models")
 {
   folder.put(models + "/obj_000002.ply", meshFiles::ply(smallBox()));
   folder.put(models + "/obj_000005.ply", meshFiles::ply(smallBox()));
   folder.put(models + "/models_info.json",
              R"({"2": {"diameter": 80.5, "symmetries_continuous": [{"axis": [0, 0, 2], "offset": [0, 30, 0]}]},
-                 "5": {"diameter": 75, "symmetries_discrete": [[-1, 0, 0, 10, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]]}})");
+                 "5": {"diameter": 75, "symmetries_discrete": [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], [-1, 0, 0, 10, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]]}})");
 }
 
 //! One scene "test/000001" with its models.
