@@ -55,21 +55,26 @@ struct Sequence
 };
 
 /*!
-  Names of the scenes of a data set in BOP's or RBOT's layout, sorted.
+  Names of the scenes of a data set in BOP's or RBOT's layout, sorted: the scene's folder relative to \e dataset for BOP
+  ("test/000001", "." where \e dataset is the scene), "ape/a_regular" for RBOT. The layouts are told in bopReader.h and
+  rbotReader.h.
   \throw vpException naming the folder where it is missing or has no scene.
 */
 std::vector<std::string> listScenes(const std::string &dataset);
 
 /*!
   Opens a scene in BOP's or RBOT's layout. All its files are looked for now, so that a broken data set is found before a
-  run of an hour.
-  \param object BOP's number of the object; 0 for the only one, or the first, of the scene.
-  \throw vpException naming the file that is missing or broken, and the frame.
+  run of an hour. Images before the first one that shows the object are left out; of several instances of the object in
+  an image the first one counts.
+  \param scene One of listScenes(); its last folder ("000001"), or that one's number ("1"), where no other has the same.
+  \param object BOP's number of the object; 0 for the only one, or the first, of the scene. RBOT's objects are all 1.
+  \throw vpException naming the file that is missing or broken, and the frame and key; for a scene or object that is not
+  there, those that are.
 */
 Sequence openSequence(const std::string &dataset, const std::string &scene, int object = 0);
 
-//! A recording outside any data set: numbered images (or a video is not meant here), and a text file of 16 numbers for
-//! each pose.
+//! A recording outside any data set: numbered images (no video), and a text file of 16 numbers for each pose. Images
+//! without such a file are frames without truth; the first image needs one.
 struct Recording
 {
   std::string name = "recording"; //!< Name of the scene in results.

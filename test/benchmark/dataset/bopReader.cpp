@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dataset/bopReader.h"
+
+#include "dataset/bopObject.h"
+#include "dataset/checkedGeometry.h"
+#include "dataset/datasetFiles.h"
+#include "dataset/jsonFile.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace bench {
+namespace {
+const double millimetre = 0.001;
+
+// A scene whose poses are lost is still one: it is told apart from a scene that is not there.
+bool isScene(const fs::path &folder)
+{
+  std::error_code ignored;
+  return fs::is_regular_file(folder / "scene_gt.json", ignored) ||
+         fs::is_regular_file(folder / "scene_camera.json", ignored);
+}
+
+std::vector<fs::path> foldersIn(const fs::path &folder)
+{
+  std::vector<fs::path> folders;
+  for (const fs::path &entry : entriesOf(folder)) {
+    std::error_code ignored;
+    if (fs::is_directory(entry, ignored)) {
+      folders.push_back(entry);
+    }
+  }
+  return folders;
+}
+
+fs::path imageFolder(const fs::path &scene)
+{
+  std::error_code ignored;
+  for (const char *name : {"rgb", "gray"}) {
+    if (fs::is_directory(scene / name, ignored)) {
+      return scene / name;
+    }
+  }
+  fail("The scene " + inQuotes(scene) + " has no images: neither rgb/ nor gray/ is there");
+}
+
+// BOP's files of one scene, keyed by the number of the image.
+class SceneFiles
+{
+public:
+  explicit SceneFiles(const fs::path &scene)
+      : m_cameraFile(scene / "scene_camera.json"), m_truthFile(scene / "scene_gt.json"),
+        m_cameras(m_cameraFile.root().numberedMembers()), m_truth(m_truthFile.root().numberedMembers()),
+        m_folder(imageFolder(scene)), m_images(numberedImages(m_folder))
+  {
+    std::error_code ignored;
+    if (fs::is_regular_file(scene / "scene_gt_info.json", ignored)) {
+      m_infoFile = std::make_unique<JsonFile>(scene / "scene_gt_info.json");
+      m_info = m_infoFile->root().numberedMembers();
+    }
+  }
+
+  int chooseObject(int object) const;
+  SequenceFrame frame(int image, int object) const;
+  // Every image that any of the files knows of.
+  std::set<int> ids() const;
+
+private:
+  void readTruth(const JsonValue &instances, int object, SequenceFrame &frame) const;
+  double visibility(int image, std::size_t instance) const;
+
+  JsonFile m_cameraFile;
+  JsonFile m_truthFile;
+  std::unique_ptr<JsonFile> m_infoFile;
+  std::map<int, JsonValue> m_cameras;
+  std::map<int, JsonValue> m_truth;
+  std::map<int, JsonValue> m_info;
+  fs::path m_folder;
+  std::map<int, fs::path> m_images;
+};
+
+int SceneFiles::chooseObject(int object) const
+{
+  std::set<int> objects;
+  for (const auto &image : m_truth) {
+    for (const JsonValue &instance : image.second.items()) {
+      const int id = instance.at("obj_id").integer();
+      if (object == 0 || object == id) {
+        return id;
+      }
+      objects.insert(id);
+    }
+  }
+  std::vector<std::string> names;
+  for (const int id : objects) {
+    names.push_back(std::to_string(id));
+  }
+  fail(m_truthFile.root().place() + ": there is no object " + (object == 0 ? "at all" : std::to_string(object)) +
+       "; there is: " + listed(names, 30));
+}
+
+std::set<int> SceneFiles::ids() const
+{
+  std::set<int> ids;
+  for (const auto &image : m_images) {
+    ids.insert(image.first);
+  }
+  for (const std::map<int, JsonValue> *file : {&m_cameras, &m_truth}) {
+    for (const auto &image : *file) {
+      ids.insert(image.first);
+    }
+  }
+  return ids;
+}
+
+vpCameraParameters readCamera(const JsonValue &camera)
+{
+  const JsonValue matrix = camera.at("cam_K");
+  const std::vector<double> K = matrix.numbers(9);
+  if (K[1] != 0. || K[3] != 0. || K[6] != 0. || K[7] != 0. || K[8] != 1.) {
+    matrix.refuse("a camera fx 0 cx 0 fy cy 0 0 1 is needed: ViSP's cameras have no skew");
+  }
+  return checkedCamera(K[0], K[4], K[2], K[5], matrix.place());
+}
+
+double SceneFiles::visibility(int image, std::size_t instance) const
+{
+  const auto infos = m_info.find(image);
+  if (infos == m_info.end()) {
+    return 1.;
+  }
+  const std::vector<JsonValue> instances = infos->second.items();
+  if (instance >= instances.size() || !instances[instance].has("visib_fract")) {
+    return 1.;
+  }
+  const JsonValue share = instances[instance].at("visib_fract");
+  const double visible = share.number();
+  if (visible == -1.) {
+    return 1.; // BOP's word for not computed.
+  }
+  if (visible < 0. || visible > 1.) {
+    share.refuse("a share in [0, 1] is needed");
+  }
+  return visible;
+}
+
+void SceneFiles::readTruth(const JsonValue &instances, int object, SequenceFrame &frame) const
+{
+  const std::vector<JsonValue> items = instances.items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].at("obj_id").integer() != object) {
+      continue;
+    }
+    const std::vector<double> t = items[i].at("cam_t_m2c").numbers(3);
+    frame.cMo = checkedTransform(items[i].at("cam_R_m2c").numbers(9), millimetre * Eigen::Vector3d(t[0], t[1], t[2]),
+                                 items[i].place());
+    requireInFront(frame.cMo, items[i].place());
+    frame.visibility = visibility(frame.id, i);
+    frame.hasTruth = true;
+    return;
+  }
+}
+
+SequenceFrame SceneFiles::frame(int image, int object) const
+{
+  SequenceFrame frame;
+  frame.id = image;
+  const auto file = m_images.find(image);
+  if (file == m_images.end()) {
+    fail("The image " + inQuotes(m_folder / numberedPath("%06d.png", image)) +
+         " (or .jpg, .jpeg, .tif) is missing: the scene's JSON files name it");
+  }
+  requireFile(file->second);
+  frame.image = file->second.string();
+  const auto camera = m_cameras.find(image);
+  if (camera == m_cameras.end()) {
+    m_cameraFile.root().refuse("image " + std::to_string(image) + " has no camera");
+  }
+  frame.cam = readCamera(camera->second);
+  const auto truth = m_truth.find(image);
+  if (truth != m_truth.end()) {
+    readTruth(truth->second, object, frame);
+  }
+  return frame;
+}
+} // namespace
+
+std::vector<std::string> bopReader::scenes(const std::string &dataset)
+{
+  const fs::path root(dataset);
+  std::vector<std::string> names;
+  if (isScene(root)) {
+    names.emplace_back(".");
+  }
+  for (const fs::path &folder : foldersIn(root)) {
+    if (isScene(folder)) {
+      names.push_back(folder.filename().string());
+      continue;
+    }
+    for (const fs::path &inner : foldersIn(folder)) {
+      if (isScene(inner)) {
+        names.push_back((folder.filename() / inner.filename()).generic_string());
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Sequence bopReader::open(const std::string &dataset, const std::string &scene, int object)
+{
+  const fs::path folder = scene == "." ? fs::path(dataset) : fs::path(dataset) / scene;
+  const SceneFiles files(folder);
+  Sequence sequence;
+  sequence.scene = scene;
+  sequence.object = findBopObject(dataset, folder, files.chooseObject(object));
+  for (const int image : files.ids()) {
+    sequence.frames.push_back(files.frame(image, sequence.object.id));
+  }
+  startAtFirstTruth(sequence.frames, "The scene " + inQuotes(folder));
+  return sequence;
+}
+
+} // namespace bench

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef benchCueStages_h
+#define benchCueStages_h
+
+#include "stages/benchScene.h"
+
+#include <visp3/core/vpExponentialMap.h>
+#include <visp3/core/vpRobust.h>
+#include <visp3/cues/vpFrameSource.h>
+
+#include <benchmark/benchmark.h>
+
+/*!
+  \file cueStages.h
+  The image's side of a frame, and the equations that come of both.
+*/
+
+namespace bench {
+
+//! What all cues share of a gray image.
+inline void frameOfGray(benchmark::State &state, BenchScene &scene)
+{
+  vpFrameSource source;
+  int k = 0;
+  for (auto _ : state) {
+    const vpCueFrame frame = source.frame(scene.image(k++), scene.camera(), nullptr);
+    benchmark::DoNotOptimize(frame.gray().bitmap);
+  }
+}
+
+//! Likewise of an image in colour.
+inline void frameOfColor(benchmark::State &state, BenchScene &scene)
+{
+  vpFrameSource source;
+  for (auto _ : state) {
+    const vpCueFrame frame = source.frame(scene.colorImage(), scene.camera(), nullptr);
+    benchmark::DoNotOptimize(frame.gray().bitmap);
+  }
+}
+
+//! Likewise of a gray image with the distortion of a lens.
+inline void frameOfDistorted(benchmark::State &state, BenchScene &scene)
+{
+  vpFrameSource source;
+  int k = 0;
+  for (auto _ : state) {
+    const vpCueFrame frame = source.frame(scene.image(k++), scene.distortedCamera(), nullptr);
+    benchmark::DoNotOptimize(frame.gray().bitmap);
+  }
+}
+
+//! An edge cue that knows image 0 and looks for its view in image 1.
+struct EdgeMatch
+{
+  explicit EdgeMatch(BenchScene &scene) : view(scene.model()), cue(scene.tracker().getEdgeSettings())
+  {
+    vpCpuRenderer renderer(scene.model());
+    view.compute(cMo, scene.camera(), scene.width(), scene.height(), scene.viewOptions(), &renderer);
+    cue.match(source.frame(scene.image(0), scene.camera(), nullptr), view);
+    vpResidualBlock block;
+    cue.residuals(cMo, block);
+    cue.updateReference(cMo, std::vector<double>(block.rows.size(), 1.));
+    frame = source.frame(scene.image(1), scene.camera(), nullptr);
+    cue.match(frame, view);
+  }
+
+  vpHomogeneousMatrix cMo = BenchScene::pose(0);
+  vpFrameSource source;
+  vpCueFrame frame;
+  vpModelView view;
+  vpEdgeCue cue;
+};
+
+//! The edges of an image along the normals of all control points.
+inline void matchEdges(benchmark::State &state, BenchScene &scene)
+{
+  EdgeMatch match(scene);
+  for (auto _ : state) {
+    match.cue.match(match.frame, match.view);
+  }
+  state.counters["points"] = static_cast<double>(match.view.points().size());
+}
+
+/*!
+  One iteration of virtual visual servoing in the steps of vpMbMultiCueTracker, of whose base class it borrows the
+  functions: they are protected.
+*/
+class VvsIteration : public vpMbMultiCueTracker
+{
+public:
+  //! \return The pose after the iteration.
+  vpHomogeneousMatrix step(const vpEdgeCue &cue, const vpHomogeneousMatrix &cMo)
+  {
+    cue.residuals(cMo, m_block);
+    const unsigned int rows = static_cast<unsigned int>(m_block.rows.size());
+    m_rowsL.resize(rows, 6, false, false);
+    m_rowsError.resize(rows, false);
+    m_rowsWeight.resize(rows, false);
+    m_weighted.resize(rows, false);
+    fill();
+    m_robust.setMinMedianAbsoluteDeviation(m_block.noise);
+    computeVVSWeights(m_robust, m_rowsError, m_rowsWeight);
+    weigh();
+    computeVVSPoseEstimation(true, 0, m_rowsL, m_LTL, m_weighted, m_rowsError, m_errorBefore, m_LTR, m_mu, m_velocity);
+    return vpExponentialMap::direct(m_velocity).inverse() * cMo;
+  }
+  unsigned int rows() const { return m_rowsError.getRows(); }
+
+private:
+  void fill()
+  {
+    for (unsigned int i = 0; i < m_rowsError.getRows(); ++i) {
+      m_rowsError[i] = m_block.rows[i].error;
+      for (unsigned int j = 0; j < 6; ++j) {
+        m_rowsL[i][j] = m_block.rows[i].jacobian[j];
+      }
+    }
+  }
+  void weigh()
+  {
+    for (unsigned int i = 0; i < m_rowsError.getRows(); ++i) {
+      const double w = m_rowsWeight[i] * m_block.rows[i].weight;
+      m_weighted[i] = w * m_rowsError[i];
+      for (unsigned int j = 0; j < 6; ++j) {
+        m_rowsL[i][j] *= w;
+      }
+    }
+  }
+
+  vpResidualBlock m_block;
+  vpRobust m_robust;
+  vpMatrix m_rowsL, m_LTL;
+  vpColVector m_rowsError, m_rowsWeight, m_weighted, m_errorBefore, m_LTR, m_velocity;
+  double m_mu = 0.01;
+};
+
+//! Residuals, robust weights, normal equations and their solution.
+inline void iterateVvs(benchmark::State &state, BenchScene &scene)
+{
+  const EdgeMatch match(scene);
+  VvsIteration iteration;
+  for (auto _ : state) {
+    const vpHomogeneousMatrix cMo = iteration.step(match.cue, match.cMo);
+    benchmark::DoNotOptimize(cMo.data);
+  }
+  state.counters["rows"] = iteration.rows();
+}
+
+} // namespace bench
+#endif
