@@ -235,7 +235,7 @@ Evaluation evaluate(const EvaluateOptions &options)
       works.push_back(parts.back().work(model));
     }
   }
-  const std::vector<std::string> failures = runWork(works, options.jobs);
+  const std::vector<std::string> failures = runWork(works, options.jobs, options.out + "/log.txt");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     collect(parts[i], *models[i], failures[i], evaluation);
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <iomanip>
 #include <sstream>
 
@@ -21,6 +22,13 @@ using Json = nlohmann::json;
 Json toJson(double value)
 {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+std::vector<Json> toJson(const double *values, std::size_t count)
+{
+  std::vector<Json> result;
+  std::transform(values, values + count, std::back_inserter(result), [](double value) { return toJson(value); });
+  return result;
 }
 
 double toNumber(const Json &json, double otherwise)
@@ -59,7 +67,7 @@ std::string toCsv(const std::vector<FrameRecord> &records)
 Json toJson(const FrameRecord &record)
 {
   return {{"frame", record.frame},
-          {"cMo", std::vector<double>(record.answer.cMo.data, record.answer.cMo.data + 12)},
+          {"cMo", toJson(record.answer.cMo.data, 12)},
           {"ms", record.ms},
           {"reset", record.reset},
           {"state", toString(record.answer.state)},
@@ -76,8 +84,9 @@ FrameRecord toRecord(const Json &json)
 {
   FrameRecord record;
   record.frame = json.at("frame");
-  const std::vector<double> numbers = json.at("cMo");
-  std::copy_n(numbers.begin(), std::min<std::size_t>(numbers.size(), 12), record.answer.cMo.data);
+  for (unsigned int i = 0; i < 12; ++i) {
+    record.answer.cMo.data[i] = toNumber(json.at("cMo").at(i), std::nan(""));
+  }
   record.ms = json.at("ms");
   record.reset = json.at("reset");
   record.answer.state = toState(json.at("state"));

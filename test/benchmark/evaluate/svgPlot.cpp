@@ -15,6 +15,7 @@ const double left = 56.;
 const double right = 120.; // Room for the names of the lines.
 const double top = 24.;
 const double bottom = 36.;
+const std::size_t fewPoints = 12; // Each is marked then.
 } // namespace
 
 // Where the axes are, and what they show.
@@ -101,7 +102,7 @@ std::string SvgPlot::axes(const Frame &frame) const
         << "' stroke='#e4e4e4'/><text x='" << left - 5. << "' y='" << y + 4. << "' text-anchor='end'>" << mark
         << "</text>";
   }
-  for (const double mark : {frame.xLow, 0.5 * (frame.xLow + frame.xHigh), frame.xHigh}) {
+  for (const double mark : xMarks(frame)) {
     svg << "<text x='" << frame.column(mark) << "' y='" << height - bottom + 14. << "' text-anchor='middle'>" << mark
         << "</text>";
   }
@@ -110,6 +111,14 @@ std::string SvgPlot::axes(const Frame &frame) const
       << ") rotate(-90)' text-anchor='middle'>" << escaped(m_yName) << "</text><text x='" << left << "' y='" << top - 8.
       << "' font-weight='bold'>" << escaped(m_title) << "</text>";
   return svg.str();
+}
+
+std::vector<double> SvgPlot::xMarks(const Frame &frame) const
+{
+  if (!m_lines.empty() && m_lines.front().x.size() <= fewPoints) {
+    return m_lines.front().x;
+  }
+  return {frame.xLow, std::round(0.5 * (frame.xLow + frame.xHigh)), frame.xHigh};
 }
 
 std::string SvgPlot::polylines(const Line &line, const std::string &color, const Frame &frame) const
@@ -124,7 +133,7 @@ std::string SvgPlot::polylines(const Line &line, const std::string &color, const
     points.str("");
     count = 0;
   };
-  const bool few = line.x.size() <= 12;
+  const bool few = line.x.size() <= fewPoints;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     if (!std::isfinite(line.y[i])) {
       finish();

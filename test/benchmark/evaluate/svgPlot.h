@@ -33,6 +33,7 @@ public:
 private:
   struct Frame;
   std::string axes(const Frame &frame) const;
+  std::vector<double> xMarks(const Frame &frame) const;
   std::string polylines(const Line &line, const std::string &color, const Frame &frame) const;
 
   std::string m_title, m_xName, m_yName;

@@ -5,11 +5,12 @@
 
 #include <visp3/core/vpException.h>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <iostream>
@@ -44,8 +45,19 @@ void writeAll(int file, const char *bytes, std::size_t count)
   }
 }
 
-[[noreturn]] void beWorker(const Work &work, int pipe)
+void printTo(const std::string &log)
 {
+  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+  if (file >= 0) {
+    ::dup2(file, STDOUT_FILENO);
+    ::dup2(file, STDERR_FILENO);
+    ::close(file);
+  }
+}
+
+[[noreturn]] void beWorker(const Work &work, int pipe, const std::string &log)
+{
+  printTo(log);
   int status = 0;
   std::string wrong;
   try {
@@ -62,7 +74,7 @@ void writeAll(int file, const char *bytes, std::size_t count)
   _exit(status); // What the parent opened is the parent's to close.
 }
 
-Worker startWorker(const std::vector<Work> &works, std::size_t index)
+Worker startWorker(const std::vector<Work> &works, std::size_t index, const std::string &log)
 {
   int ends[2];
   std::cout.flush();
@@ -77,7 +89,7 @@ Worker startWorker(const std::vector<Work> &works, std::size_t index)
   }
   if (worker.process == 0) {
     ::close(ends[0]);
-    beWorker(works[index], ends[1]);
+    beWorker(works[index], ends[1], log);
   }
   ::close(ends[1]);
   worker.pipe = ends[0];
@@ -118,7 +130,7 @@ std::string endWorker(const Worker &worker)
 }
 } // namespace
 
-std::vector<std::string> runWork(const std::vector<Work> &works, int jobs)
+std::vector<std::string> runWork(const std::vector<Work> &works, int jobs, const std::string &log)
 {
   std::size_t total = 0;
   for (const Work &work : works) {
@@ -131,7 +143,7 @@ std::vector<std::string> runWork(const std::vector<Work> &works, int jobs)
   while (next < works.size() || !workers.empty()) {
     while (next < works.size() && workers.size() < static_cast<std::size_t>(jobs)) {
       progress.setText(works[next].name);
-      workers.push_back(startWorker(works, next++));
+      workers.push_back(startWorker(works, next++, log));
     }
     std::vector<pollfd> files;
     for (const Worker &worker : workers) {

@@ -18,9 +18,10 @@ struct Work
 
 /*!
   Runs all of the work, \e jobs at a time, with a progress bar where the error stream is a terminal.
+  \param log File that what the work prints is appended to: libraries chatter.
   \return For each work why it failed, empty where it did not.
 */
-std::vector<std::string> runWork(const std::vector<Work> &works, int jobs);
+std::vector<std::string> runWork(const std::vector<Work> &works, int jobs, const std::string &log);
 
 } // namespace bench
 #endif
