@@ -35,14 +35,16 @@ std::string numbered(int id)
   return name;
 }
 
-// One line for each frame, as in BOP's own files.
-void writeJson(const std::string &file, const json &entries)
+// One line for each frame in their order, as in BOP's own files; nlohmann's objects are sorted as text.
+using Entries = std::vector<std::pair<int, json>>;
+
+void writeJson(const std::string &file, const Entries &entries)
 {
   std::ofstream out(file);
   out << "{";
   const char *separator = "\n";
-  for (const auto &entry : entries.items()) {
-    out << separator << "  \"" << entry.key() << "\": " << entry.value().dump();
+  for (const auto &entry : entries) {
+    out << separator << "  \"" << entry.first << "\": " << entry.second.dump();
     separator = ",\n";
   }
   out << "\n}\n";
@@ -82,13 +84,11 @@ void BopSceneWriter::writeImage(int id, const cv::Mat &image) const
 
 void BopSceneWriter::writeTruth(const std::vector<BopFrame> &frames) const
 {
-  json camera;
-  json truth;
-  json info;
+  Entries camera;
+  Entries truth;
+  Entries info;
   const json intrinsics = {m_cam.get_px(), 0., m_cam.get_u0(), 0., m_cam.get_py(), m_cam.get_v0(), 0., 0., 1.};
-  // Objects of JSON are sorted as text, so the numbers are not in order; readers do not mind.
   for (const BopFrame &frame : frames) {
-    const std::string key = std::to_string(frame.id);
     json rotation;
     json translation;
     for (unsigned int i = 0; i < 3; ++i) {
@@ -97,13 +97,15 @@ void BopSceneWriter::writeTruth(const std::vector<BopFrame> &frames) const
       }
       translation.push_back(1000. * frame.cMo[i][3]);
     }
-    camera[key] = {{"cam_K", intrinsics}, {"depth_scale", 1.}};
-    truth[key] = {{{"cam_R_m2c", rotation}, {"cam_t_m2c", translation}, {"obj_id", m_objectId}}};
-    info[key] = {{{"px_count_all", frame.pixelsAll},
-                  {"px_count_visib", frame.pixelsVisible},
-                  {"visib_fract", frame.pixelsAll > 0 ? double(frame.pixelsVisible) / frame.pixelsAll : 0.},
-                  {"bbox_obj", frame.boxObject},
-                  {"bbox_visib", frame.boxVisible}}};
+    camera.emplace_back(frame.id, json{{"cam_K", intrinsics}, {"depth_scale", 1.}});
+    const json pose = {{"cam_R_m2c", rotation}, {"cam_t_m2c", translation}, {"obj_id", m_objectId}};
+    truth.emplace_back(frame.id, json::array({pose}));
+    const json seen = {{"px_count_all", frame.pixelsAll},
+                       {"px_count_visib", frame.pixelsVisible},
+                       {"visib_fract", frame.pixelsAll > 0 ? double(frame.pixelsVisible) / frame.pixelsAll : 0.},
+                       {"bbox_obj", frame.boxObject},
+                       {"bbox_visib", frame.boxVisible}};
+    info.emplace_back(frame.id, json::array({seen}));
   }
   writeJson(m_folder + "/scene_camera.json", camera);
   writeJson(m_folder + "/scene_gt.json", truth);

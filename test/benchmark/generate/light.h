@@ -10,8 +10,8 @@ namespace bench {
 struct Light
 {
   Eigen::Vector3d toLight = Eigen::Vector3d(-0.45, -0.6, -0.8).normalized(); //!< Unit vector.
-  float diffuse = 0.85F;
-  float ambient = 0.30F;
+  float diffuse = 0.80F;
+  float ambient = 0.36F;
   float gain = 1.F;     //!< Multiplies what is seen.
   float contrast = 1.F; //!< Spread of the seen colours about middle gray.
 };

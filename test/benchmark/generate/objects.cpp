@@ -17,7 +17,11 @@ struct Maker
   const char *name;
   SyntheticObject (*make)(std::uint64_t seed);
 };
-const Maker makers[] = {{"box", makeBox}, {"bands", makeBands}};
+const Maker makers[] = {{"box", makeBox},
+                        {"bands", makeBands},
+                        {"window", makeWindow},
+                        {"satellite", makeSatellite},
+                        {"figurine", makeFigurine}};
 } // namespace
 
 std::vector<std::string> objectNames()
