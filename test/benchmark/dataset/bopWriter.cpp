@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dataset/bopWriter.h"
+
+#include <visp3/core/vpException.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace bench {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+void makeFolder(const fs::path &folder)
+{
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) {
+    throw vpException(vpException::ioError, "the folder %s cannot be made: %s", folder.c_str(),
+                      error.message().c_str());
+  }
+}
+
+std::string numbered(int id)
+{
+  char name[16];
+  std::snprintf(name, sizeof(name), "%06d", id);
+  return name;
+}
+
+// One line for each frame in their order, as in BOP's own files; nlohmann's objects are sorted as text.
+using Entries = std::vector<std::pair<int, json>>;
+
+void writeJson(const std::string &file, const Entries &entries)
+{
+  std::ofstream out(file);
+  out << "{";
+  const char *separator = "\n";
+  for (const auto &entry : entries) {
+    out << separator << "  \"" << entry.first << "\": " << entry.second.dump();
+    separator = ",\n";
+  }
+  out << "\n}\n";
+  if (!out.flush()) {
+    throw vpException(vpException::ioError, "%s cannot be written: is the disk full?", file.c_str());
+  }
+}
+
+bool isNumberedImage(const fs::path &file)
+{
+  const std::string stem = file.stem().string();
+  return file.extension() == ".png" && stem.size() == 6 &&
+         std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+} // namespace
+
+BopSceneWriter::BopSceneWriter(const std::string &dataset, const std::string &scene, int objectId,
+                               const vpCameraParameters &cam)
+    : m_folder((fs::path(dataset) / scene).string()), m_objectId(objectId), m_cam(cam)
+{
+  const fs::path images = fs::path(m_folder) / "rgb";
+  makeFolder(images);
+  for (const fs::directory_entry &entry : fs::directory_iterator(images)) {
+    if (isNumberedImage(entry.path())) {
+      fs::remove(entry.path());
+    }
+  }
+}
+
+void BopSceneWriter::writeImage(int id, const cv::Mat &image) const
+{
+  const std::string file = m_folder + "/rgb/" + numbered(id) + ".png";
+  if (!cv::imwrite(file, image, {cv::IMWRITE_PNG_COMPRESSION, 1})) {
+    throw vpException(vpException::ioError, "%s cannot be written: is the disk full?", file.c_str());
+  }
+}
+
+void BopSceneWriter::writeTruth(const std::vector<BopFrame> &frames) const
+{
+  Entries camera;
+  Entries truth;
+  Entries info;
+  const json intrinsics = {m_cam.get_px(), 0., m_cam.get_u0(), 0., m_cam.get_py(), m_cam.get_v0(), 0., 0., 1.};
+  for (const BopFrame &frame : frames) {
+    json rotation;
+    json translation;
+    for (unsigned int i = 0; i < 3; ++i) {
+      for (unsigned int j = 0; j < 3; ++j) {
+        rotation.push_back(frame.cMo[i][j]);
+      }
+      translation.push_back(1000. * frame.cMo[i][3]);
+    }
+    camera.emplace_back(frame.id, json{{"cam_K", intrinsics}, {"depth_scale", 1.}});
+    const json pose = {{"cam_R_m2c", rotation}, {"cam_t_m2c", translation}, {"obj_id", m_objectId}};
+    truth.emplace_back(frame.id, json::array({pose}));
+    const json seen = {{"px_count_all", frame.pixelsAll},
+                       {"px_count_visib", frame.pixelsVisible},
+                       {"visib_fract", frame.pixelsAll > 0 ? double(frame.pixelsVisible) / frame.pixelsAll : 0.},
+                       {"bbox_obj", frame.boxObject},
+                       {"bbox_visib", frame.boxVisible}};
+    info.emplace_back(frame.id, json::array({seen}));
+  }
+  writeJson(m_folder + "/scene_camera.json", camera);
+  writeJson(m_folder + "/scene_gt.json", truth);
+  writeJson(m_folder + "/scene_gt_info.json", info);
+}
+
+} // namespace bench

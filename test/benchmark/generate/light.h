@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef benchLight_h
+#define benchLight_h
+
+#include "generate/syntheticObject.h"
+
+namespace bench {
+
+//! A far light and what is everywhere; camera frame, so that the light stays while the object moves.
+struct Light
+{
+  Eigen::Vector3d toLight = Eigen::Vector3d(-0.45, -0.6, -0.8).normalized(); //!< Unit vector.
+  float diffuse = 0.80F;
+  float ambient = 0.36F;
+  float gain = 1.F;     //!< Multiplies what is seen.
+  float contrast = 1.F; //!< Spread of the seen colours about middle gray.
+};
+
+/*!
+  The light of a frame.
+  \param moves Whether direction, brightness and contrast change with time.
+  \param time In frames.
+  \param seed The same one gives the same light.
+*/
+Light lightAt(const SyntheticObject &object, bool moves, double time, std::uint64_t seed);
+
+//! A surface point that is to be shaded.
+struct SurfacePoint
+{
+  Eigen::Vector3f camera; //!< Place, camera frame, metres.
+  Eigen::Vector3f object; //!< Place, object frame, metres.
+  Eigen::Vector3f normal; //!< Unit normal, camera frame, towards the camera.
+  Eigen::Vector3f color;  //!< Blue, green, red, gray levels.
+};
+
+/*!
+  Lambert's law with a highlight and ambient light.
+  \param lit Share of the light that arrives, [0, 1].
+  \param oRc Rotation from camera to object frame.
+  \return Blue, green, red in gray levels, [0, 255].
+*/
+Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material, const Light &light, float lit,
+                      const Eigen::Matrix3f &oRc);
+
+} // namespace bench
+#endif

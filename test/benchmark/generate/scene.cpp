@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generate/scene.h"
+
+#include <visp3/core/vpException.h>
+#include <visp3/se3/vpPoseRandom.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+namespace {
+const int noiseNumbers = 1 << 18;
+const double noiseDeviation = 12.;
+const int exposureSteps = 8;
+const double exposure = 0.6;
+
+void checkOptions(const SceneOptions &options)
+{
+  const std::vector<std::string> names = variantNames();
+  if (std::find(names.begin(), names.end(), options.variant) == names.end()) {
+    std::string all;
+    for (const std::string &name : names) {
+      all += " " + name;
+    }
+    throw vpException(vpException::badValue, "there is no variant '%s', only:%s", options.variant.c_str(), all.c_str());
+  }
+  if (options.frames < 2) {
+    throw vpException(vpException::badValue, "a sequence has at least 2 frames, not %d", options.frames);
+  }
+  if (options.width < 64 || options.height < 48 || options.width > 4096 || options.height > 4096) {
+    throw vpException(vpException::badValue, "images may have 64 x 48 to 4096 x 4096 pixels, not %u x %u",
+                      options.width, options.height);
+  }
+  if (options.dataset.empty()) {
+    throw vpException(vpException::badValue, "no folder was given for the data set");
+  }
+}
+
+MotionSettings motionOf(const SceneOptions &options, const SyntheticObject &object, const vpTrackedModel &model)
+{
+  MotionSettings settings;
+  settings.points = model.vertices();
+  settings.pixelDiameter = object.pixelDiameter;
+  settings.frontOnly = object.frontOnly;
+  settings.exits = options.variant == "exit";
+  settings.frames = options.frames;
+  settings.seed = options.seed * 64 + static_cast<std::uint64_t>(object.id);
+  return settings;
+}
+
+BopBox boundingBox(const cv::Mat &mask, const cv::Point &origin)
+{
+  const cv::Rect box = cv::boundingRect(mask);
+  if (box.empty()) {
+    return {{-1, -1, -1, -1}};
+  }
+  return {{box.x + origin.x, box.y + origin.y, box.width, box.height}};
+}
+
+//! Draws a layer over an image.
+void compose(const ImageLayer &layer, cv::Mat &image)
+{
+  const cv::Rect inside = layer.area & cv::Rect(0, 0, image.cols, image.rows);
+  for (int i = inside.y; i < inside.y + inside.height; ++i) {
+    for (int j = inside.x; j < inside.x + inside.width; ++j) {
+      const float coverage = layer.coverage.at<float>(i - layer.area.y, j - layer.area.x);
+      cv::Vec3f &pixel = image.at<cv::Vec3f>(i, j);
+      pixel = (1.F - coverage) * pixel + layer.color.at<cv::Vec3f>(i - layer.area.y, j - layer.area.x);
+    }
+  }
+}
+} // namespace
+
+std::vector<std::string> variantNames()
+{
+  return {"regular", "light", "noise", "occlusion", "blur", "blackout", "exit"};
+}
+
+Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSceneCamera(options.width, options.height))
+{
+  checkOptions(options);
+  m_synthetic = makeObject(options.object, options.seed, options.unit);
+  m_object = writeAndLoad(options.dataset, m_synthetic);
+  m_motion = std::make_unique<Motion>(m_camera, motionOf(options, m_synthetic, *m_object.model));
+  const std::string suits = m_synthetic.inSpace ? "space" : "photo";
+  m_background = std::make_unique<Background>(options.background.empty() ? suits : options.background, m_camera,
+                                              options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
+  planForeground();
+  if (options.variant == "noise") {
+    vpPoseRandom random(options.seed, {0x6e6f697365});
+    m_noise.resize(noiseNumbers);
+    std::generate(m_noise.begin(), m_noise.end(), [&] { return static_cast<float>(noiseDeviation * random.normal()); });
+  }
+}
+
+void Scene::planForeground()
+{
+  const bool board = m_options.variant == "blackout";
+  if (!board && m_options.variant != "occlusion") {
+    return;
+  }
+  std::vector<ImageLayer> layers(static_cast<std::size_t>(m_options.frames));
+  ObjectRenderer renderer = makeRenderer();
+  for (int frame = 0; frame < m_options.frames; ++frame) {
+    renderer.render(pose(frame), Light(), 1, layers[static_cast<std::size_t>(frame)]);
+    layers[static_cast<std::size_t>(frame)].color.release();
+  }
+  m_foreground = board ? makeBoard(m_camera, layers, m_options.seed) : makeOccluder(m_camera, layers, m_options.seed);
+}
+
+void Scene::fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const
+{
+  const cv::Mat whole = object.coverage >= 0.5F;
+  const cv::Rect inside = object.area & cv::Rect(0, 0, hidden.cols, hidden.rows);
+  cv::Mat seen = cv::Mat::zeros(whole.size(), CV_8U);
+  if (!inside.empty()) {
+    const cv::Rect part(inside.tl() - object.area.tl(), inside.size());
+    const cv::Mat uncovered = hidden(inside) < 0.5F;
+    cv::bitwise_and(whole(part), uncovered, seen(part));
+  }
+  truth.pixelsAll = cv::countNonZero(whole);
+  truth.pixelsVisible = cv::countNonZero(seen);
+  truth.boxObject = boundingBox(whole, object.area.tl());
+  truth.boxVisible = boundingBox(seen, object.area.tl());
+}
+
+cv::Mat Scene::renderInstant(double time, int samples, ObjectRenderer &renderer, BopFrame *truth) const
+{
+  ImageLayer object;
+  const Light light = lightAt(m_synthetic, m_options.variant == "light", time, m_options.seed);
+  renderer.render(m_motion->pose(time), light, samples, object);
+  cv::Mat image = m_background->at(time);
+  compose(object, image);
+  cv::Mat hidden = cv::Mat::zeros(image.size(), CV_32F);
+  if (m_foreground) {
+    m_foreground->draw(time, image, hidden);
+  }
+  if (truth != nullptr) {
+    fillTruth(object, hidden, *truth);
+  }
+  return image;
+}
+
+cv::Mat Scene::render(int frame, ObjectRenderer &renderer, BopFrame &truth) const
+{
+  truth = BopFrame();
+  truth.id = frame;
+  truth.cMo = pose(frame);
+  cv::Mat image;
+  if (m_options.variant == "blur") {
+    // Two samples along an axis are enough for each of the eight images, whose edges lie elsewhere.
+    image = cv::Mat::zeros(static_cast<int>(m_camera.height), static_cast<int>(m_camera.width), CV_32FC3);
+    for (int i = 0; i < exposureSteps; ++i) {
+      const double time = frame + exposure * ((i + 0.5) / exposureSteps - 0.5);
+      image += renderInstant(time, 2, renderer, nullptr) / exposureSteps;
+    }
+    ImageLayer object;
+    renderer.render(truth.cMo, Light(), 1, object);
+    fillTruth(object, cv::Mat::zeros(image.size(), CV_32F), truth);
+  } else {
+    image = renderInstant(frame, 4, renderer, &truth);
+  }
+  if (!m_noise.empty()) {
+    addNoise(frame, image);
+  }
+  cv::Mat result;
+  image.convertTo(result, CV_8UC3);
+  return result;
+}
+
+void Scene::addNoise(int frame, cv::Mat &image) const
+{
+  // Each row starts at a random place of the numbers, which saves drawing a million of them for each image.
+  vpPoseRandom random(m_options.seed, {0x726f77, static_cast<std::uint64_t>(frame)});
+  const int count = image.cols * 3;
+  for (int i = 0; i < image.rows; ++i) {
+    const float *noise = &m_noise[random.index(m_noise.size() - static_cast<std::size_t>(count))];
+    float *row = image.ptr<float>(i);
+    for (int j = 0; j < count; ++j) {
+      row[j] += noise[j];
+    }
+  }
+}
+
+} // namespace bench

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef benchScene_h
+#define benchScene_h
+
+#include "generate/background.h"
+#include "generate/foreground.h"
+
+#include <functional>
+#include <string>
+
+namespace bench {
+
+//! One sequence: which object moves in front of what, and what makes it difficult.
+struct SceneOptions
+{
+  std::string object = "box";      //!< One of objectNames(), or the path of a mesh.
+  std::string variant = "regular"; //!< One of variantNames().
+  int frames = 300;
+  std::uint64_t seed = 1; //!< The same one gives the same bytes.
+  std::string dataset;    //!< Folder of the data set; made where it is missing.
+  std::string background; //!< "photo", "plain", "space", or empty for the one that suits the object.
+  unsigned int width = 640;
+  unsigned int height = 480;
+  double unit = 1.; //!< Metres per unit of a mesh.
+  int jobs = 1;     //!< Threads; the result does not depend on their number.
+};
+
+/*!
+  What makes a sequence difficult: "regular" (nothing), "light" (direction and strength change), "noise" (Gaussian, 12
+  gray levels), "occlusion" (up to 0.4 hidden), "blur" (exposure of 0.6 of the frame interval), "blackout" (hidden for
+  10 to 15 frames), "exit" (outside the image for 10 to 20 frames).
+*/
+std::vector<std::string> variantNames();
+
+//! Name of a scene's folder: <object>_<variant>.
+std::string sceneName(const SceneOptions &options);
+
+/*!
+  Renders a scene frame by frame; writes nothing but the object's files.
+*/
+class Scene
+{
+public:
+  //! \throw vpException where an option is out of range or unknown, or a file cannot be read or written.
+  explicit Scene(const SceneOptions &options);
+
+  const SceneOptions &options() const { return m_options; }
+  const SceneCamera &camera() const { return m_camera; }
+  const LoadedObject &object() const { return m_object; }
+  int objectId() const { return m_synthetic.id; }
+  //! True pose of a frame: that of the middle of its exposure.
+  vpHomogeneousMatrix pose(int frame) const { return m_motion->pose(frame); }
+
+  //! Makes what a thread needs to render frames.
+  ObjectRenderer makeRenderer() const { return ObjectRenderer(m_object, m_camera); }
+
+  /*!
+    \param frame In [0, frames).
+    \param truth What is known about it.
+    \return The image, 8-bit BGR.
+  */
+  cv::Mat render(int frame, ObjectRenderer &renderer, BopFrame &truth) const;
+
+private:
+  cv::Mat renderInstant(double time, int samples, ObjectRenderer &renderer, BopFrame *truth) const;
+  void fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const;
+  void planForeground();
+  void addNoise(int frame, cv::Mat &image) const;
+
+  SceneOptions m_options;
+  SceneCamera m_camera;
+  SyntheticObject m_synthetic;
+  LoadedObject m_object;
+  std::unique_ptr<Motion> m_motion;
+  std::unique_ptr<Background> m_background;
+  std::unique_ptr<Foreground> m_foreground; //!< Null where nothing is in front.
+  std::vector<float> m_noise;               //!< Numbers of the normal distribution.
+};
+
+/*!
+  Renders a scene and writes it, as BOP does, into the folder sceneName() of the data set.
+  \param progress Called after each frame with the number of finished frames, by one thread at a time.
+  \return The truth of all frames.
+  \throw vpException as Scene does, and where a file cannot be written.
+*/
+std::vector<BopFrame> generateScene(const SceneOptions &options, const std::function<void(int)> &progress = nullptr);
+
+} // namespace bench
+#endif
