@@ -179,6 +179,8 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
                       "The image is %u x %u, the tracker was started with %u x %u: initialise again for another size",
                       frame.width(), frame.height(), m_impl->width, m_impl->height);
   }
+  ++m_impl->frames;
+  m_impl->minimisations = 0;
   const vpHomogeneousMatrix cMoBefore = m_cMo;
   judge(estimate(frame));
   if (m_impl->state == vpTrackingState::LOST) {
@@ -206,6 +208,9 @@ bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
   for (unsigned int i = 0; i < maxMatches; ++i) {
     m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
     m_impl->edges.match(frame, *m_impl->view);
+    if (i == 0 && m_impl->hypotheses.settings().enabled) {
+      proposePose();
+    }
     if (!computeVVS() || !isFinite(m_cMo)) {
       return false;
     }
