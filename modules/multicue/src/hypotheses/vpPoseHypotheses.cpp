@@ -18,6 +18,8 @@ namespace {
 // after it starts close to its end.
 const unsigned int chosenIterations = 6;
 const unsigned int nearestIterations = 4;
+// Share of the control points that contours with a potential edge must have to tell a pose alone.
+const double leastDrawn = 0.5;
 } // namespace
 
 class vpPoseHypotheses::Impl
@@ -105,15 +107,23 @@ void vpPoseHypotheses::Impl::select()
   }
 }
 
+// What is in no drawn class takes no part, unless that is most of the object.
 void vpPoseHypotheses::Impl::choose(const vpClassDraw::Draw &draw, std::vector<int> &choices) const
 {
-  choices.assign(classes.members(0).size(), vpEdgeCue::NEAREST);
+  const std::vector<int> &first = classes.members(0);
+  choices.assign(first.size(), vpEdgeCue::NO_ROW);
+  int drawn = 0;
   for (std::size_t i = 0; i < draw.classes.size(); ++i) {
     if (draw.classes[i] >= 0) {
       const vpContourClasses::Contour &contour = classes.contours()[i];
       const std::vector<int> &members = classes.members(draw.classes[i]);
       std::copy_n(members.begin() + contour.first, contour.count, choices.begin() + contour.first);
+      drawn += contour.count;
     }
+  }
+  if (drawn < leastDrawn * static_cast<double>(choices.size())) {
+    std::replace(choices.begin(), choices.end(), static_cast<int>(vpEdgeCue::NO_ROW),
+                 static_cast<int>(vpEdgeCue::NEAREST));
   }
 }
 
