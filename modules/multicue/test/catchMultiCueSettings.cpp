@@ -52,6 +52,12 @@ const std::vector<Case> cases = {
     {"edge", "mu2", {"0", "1e9"}, {"-0.01"}},
     {"edge", "maskSize", {"3", "15"}, {"2", "16", "5.0", "-5", "4294967299"}},
     {"edge", "candidates", {"1", "8"}, {"0", "9", "1.5"}},
+    {"hypotheses", "enabled", {"true", "false"}, {"1"}},
+    {"hypotheses", "lambda", {"0", "100"}, {"-0.01", "100.01"}},
+    {"hypotheses", "draws", {"1", "10000"}, {"0", "10001", "4294967297", "1.0"}},
+    {"hypotheses", "minimisations", {"1", "1000"}, {"0", "1001", "2.5"}},
+    {"hypotheses", "mergeTolerance", {"1e-9", "100"}, {"0", "100.01"}},
+    {"hypotheses", "seed", {"0", "4294967295"}, {"-1", "4294967296", "1.0"}},
     {"view", "sampleStep", {"0.5", "100"}, {"0.49"}},
     {"view", "appearAngle", {"1e-9", "89"}, {"0", "90.01"}},
     {"view", "disappearAngle", {"89", "90"}, {"0", "90.01"}},
@@ -136,7 +142,7 @@ TEST_CASE("The cases above are all keys that there are")
   vpMultiCueSettingsReader::write(folder.path("all.json"), unusual());
   const std::string text = settingsFiles::textOf(folder.path("all.json"));
   const auto colons = static_cast<std::size_t>(std::count(text.begin(), text.end(), ':'));
-  CHECK(colons == cases.size() + 5); // Five objects.
+  CHECK(colons == cases.size() + 6); // Five objects.
 }
 
 TEST_CASE("Values come where they belong")
@@ -188,7 +194,7 @@ TEST_CASE("What was written is read again to the last digit, whatever the defaul
 TEST_CASE("What is not known is named, with what is")
 {
   CHECK_THAT(refusedJson(R"({"edges": {}})"), ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
-                                                  ContainsSubstring("camera, edge, view, klt, lod"));
+                                                  ContainsSubstring("camera, edge, hypotheses, view, klt, lod"));
   CHECK_THAT(refusedJson(R"({"edge": {"Range": 3}})"),
              ContainsSubstring("'Range' is not known in 'edge'") &&
                  ContainsSubstring("range, contrast, mu1, mu2, maskSize, candidates"));

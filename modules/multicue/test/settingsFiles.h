@@ -57,6 +57,7 @@ inline vpMultiCueSettings unusual()
   settings.edge.mu2 = 1e22 / 3.;
   settings.edge.maskSize = 7;
   settings.edge.candidates = 1;
+  settings.hypotheses = {true, 10. / 7., 77, 7, 2. / 3., 4000000001U};
   settings.view.sampleStep = 20. / 3.;
   settings.view.appearAngle = 200. / 3.;
   settings.view.disappearAngle = 220. / 3.;
@@ -87,6 +88,11 @@ inline bool operator==(const vpEdgeCueSettings &a, const vpEdgeCueSettings &b)
   return a.range == b.range && a.contrast == b.contrast && a.mu1 == b.mu1 && a.mu2 == b.mu2 &&
          a.maskSize == b.maskSize && a.candidates == b.candidates;
 }
+inline bool operator==(const vpPoseHypothesisSettings &a, const vpPoseHypothesisSettings &b)
+{
+  return a.enabled == b.enabled && a.lambda == b.lambda && a.draws == b.draws && a.minimisations == b.minimisations &&
+         a.mergeTolerance == b.mergeTolerance && a.seed == b.seed;
+}
 inline bool operator==(const vpModelViewOptions &a, const vpModelViewOptions &b)
 {
   return a.sampleStep == b.sampleStep && a.appearAngle == b.appearAngle && a.disappearAngle == b.disappearAngle &&
@@ -101,7 +107,7 @@ inline bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
 }
 inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
 {
-  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.view == b.view && a.klt == b.klt &&
+  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses && a.view == b.view && a.klt == b.klt &&
          a.useLod == b.useLod && a.minLineLength == b.minLineLength && a.minPolygonArea == b.minPolygonArea &&
          a.clipToImage == b.clipToImage;
 }

@@ -16,6 +16,13 @@ const std::map<std::string, Preset> &presets()
 {
   static const std::map<std::string, Preset> table = {
       {"edge", [](vpMbMultiCueTracker &tracker) { tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER); }},
+      {"edge-mh",
+       [](vpMbMultiCueTracker &tracker) {
+         tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER);
+         vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
+         settings.enabled = true;
+         tracker.setPoseHypothesisSettings(settings);
+       }},
   };
   return table;
 }

@@ -156,24 +156,48 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
   }
 }
 
+void vpEdgeCue::addRow(const Match &match, int choice, const vpLineProjector &project,
+                       std::vector<vpResidual> &rows) const
+{
+  rows.emplace_back();
+  vpResidual &row = rows.back();
+  const vpProjectedLine line = project(match.point);
+  if (!line.isSeen()) {
+    row.weight = 0.;
+    return;
+  }
+  const Candidate *first = m_candidates.data() + match.first;
+  const Candidate &candidate = choice < 0 ? line.nearest(first, match.count) : first[choice];
+  row.error = line.distance(candidate.place);
+  line.jacobian(candidate.place, row.error, row.jacobian);
+}
+
 void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block) const
 {
   block.rows.clear();
   block.noise = edgeNoise / m_camera.get_px();
   const vpLineProjector project(cMo);
   for (const Match &match : m_matches) {
-    if (match.count == 0) {
-      continue;
+    if (match.count > 0) {
+      addRow(match, NEAREST, project, block.rows);
     }
-    block.rows.emplace_back();
-    vpResidual &row = block.rows.back();
-    const vpProjectedLine line = project(match.point);
-    if (line.isSeen()) {
-      const Candidate &candidate = line.nearest(m_candidates.data() + match.first, match.count);
-      row.error = line.distance(candidate.place);
-      line.jacobian(candidate.place, row.error, row.jacobian);
-    } else {
-      row.weight = 0.;
+  }
+}
+
+void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, const std::vector<int> &choices,
+                          vpResidualBlock &block) const
+{
+  if (choices.size() != m_matches.size()) {
+    throw vpException(vpException::dimensionError,
+                      "vpEdgeCue::residuals() was given %zu choices for %zu control points: pass one for each",
+                      choices.size(), m_matches.size());
+  }
+  block.rows.clear();
+  block.noise = edgeNoise / m_camera.get_px();
+  const vpLineProjector project(cMo);
+  for (std::size_t i = 0; i < m_matches.size(); ++i) {
+    if (m_matches[i].count > 0 && choices[i] != NO_ROW) {
+      addRow(m_matches[i], std::min(choices[i], m_matches[i].count - 1), project, block.rows);
     }
   }
 }

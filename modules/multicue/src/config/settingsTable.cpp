@@ -31,6 +31,7 @@ template <auto Part, auto Member> auto &ofPart(Draft &draft)
 }
 
 template <auto Member> constexpr auto ofEdge = &ofPart<&vpMultiCueSettings::edge, Member>;
+template <auto Member> constexpr auto ofHypotheses = &ofPart<&vpMultiCueSettings::hypotheses, Member>;
 template <auto Member> constexpr auto ofView = &ofPart<&vpMultiCueSettings::view, Member>;
 template <auto Member> constexpr auto ofKlt = &ofPart<&vpMultiCueSettings::klt, Member>;
 
@@ -133,6 +134,7 @@ const std::vector<Entry> &settingsTable()
 {
   using Settings = vpMultiCueSettings;
   using Edge = vpEdgeCueSettings;
+  using Hypotheses = vpPoseHypothesisSettings;
   using View = vpModelViewOptions;
   using Klt = vpKltSettings;
   static const std::vector<Entry> table = {
@@ -148,6 +150,12 @@ const std::vector<Entry> &settingsTable()
       {"edge", "mu2", ofEdge<&Edge::mu2>, between(0., infinite)},
       {"edge", "maskSize", ofEdge<&Edge::maskSize>, between(3., 15., " pixels")},
       {"edge", "candidates", ofEdge<&Edge::candidates>, between(1., 8.)},
+      {"hypotheses", "enabled", ofHypotheses<&Hypotheses::enabled>, {}},
+      {"hypotheses", "lambda", ofHypotheses<&Hypotheses::lambda>, between(0., 100.)},
+      {"hypotheses", "draws", ofHypotheses<&Hypotheses::draws>, between(1., 10000.)},
+      {"hypotheses", "minimisations", ofHypotheses<&Hypotheses::minimisations>, between(1., 1000.)},
+      {"hypotheses", "mergeTolerance", ofHypotheses<&Hypotheses::mergeTolerance>, above(0., 100., " pixels")},
+      {"hypotheses", "seed", ofHypotheses<&Hypotheses::seed>, between(0., std::numeric_limits<unsigned int>::max())},
       {"view", "sampleStep", ofView<&View::sampleStep>, between(0.5, infinite, " pixels")},
       {"view", "appearAngle", ofView<&View::appearAngle>, above(0., 90., " degrees")},
       {"view", "disappearAngle", ofView<&View::disappearAngle>, above(0., 90., " degrees")},

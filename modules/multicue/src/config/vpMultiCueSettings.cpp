@@ -26,6 +26,7 @@ void vpMultiCueSettings::check() const
   }
   // What members have to do with each other.
   edge.check();
+  hypotheses.check();
   view.check();
 }
 

@@ -188,6 +188,8 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
                       "The image is %u x %u, the tracker was started with %u x %u: initialise again for another size",
                       frame.width(), frame.height(), m_impl->width, m_impl->height);
   }
+  ++m_impl->frames;
+  m_impl->minimisations = 0;
   const vpHomogeneousMatrix cMoBefore = m_cMo;
   judge(estimate(frame));
   if (m_impl->state == vpTrackingState::LOST) {
@@ -224,6 +226,9 @@ bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
   const double limit = maxMotion * m_impl->edges.settings().range;
   for (unsigned int i = 0; i < maxMatches; ++i) {
     matchFrame(frame);
+    if (i == 0 && m_impl->hypotheses.settings().enabled) {
+      proposePose();
+    }
     if (!computeVVS() || !isFinite(m_cMo)) {
       return false;
     }

@@ -177,6 +177,7 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   vpMultiCueSettings settings;
   settings.camera = m_cam;
   settings.edge = m_impl->edges.settings();
+  settings.hypotheses = m_impl->hypotheses.settings();
   settings.view = viewOptions();
   settings.klt = m_impl->klt;
   settings.useLod = useLodGeneral;
@@ -198,6 +199,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   const double farBefore = viewOptions().farDistance;
   setCameraParameters(settings.camera);
   m_impl->edges.setSettings(settings.edge);
+  setPoseHypothesisSettings(settings.hypotheses);
   m_impl->viewOptions.sampleStep = settings.view.sampleStep;
   m_impl->klt = settings.klt;
   m_impl->updateMe();

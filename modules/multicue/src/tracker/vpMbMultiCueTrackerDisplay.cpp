@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "tracker/vpDistortedPoint.h"
 #include "tracker/vpGradientAngle.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpDisplay.h>
 #include <visp3/core/vpImageConvert.h>
-#include <visp3/core/vpMeterPixelConversion.h>
 
 #include <algorithm>
 
@@ -15,18 +15,6 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // Lines are drawn in bits of this length at the longest, so that hidden parts and lens distortion show.
 const double displayStep = 6.; // Pixels.
-
-// Where a pixel of the undistorted frame is in the image as it was taken.
-vpImagePoint toImage(const Eigen::Vector2d &pixel, const vpCameraParameters &cam)
-{
-  double u = pixel.x();
-  double v = pixel.y();
-  if (cam.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion) {
-    vpMeterPixelConversion::convertPoint(cam, (u - cam.get_u0()) / cam.get_px(), (v - cam.get_v0()) / cam.get_py(), u,
-                                         v);
-  }
-  return vpImagePoint(v, u);
-}
 
 vpColor colorOf(vpFeatureState state)
 {
@@ -69,7 +57,7 @@ std::vector<std::vector<double>> vpMbMultiCueTracker::getFeaturesForDisplay()
   std::vector<std::vector<double>> result;
   result.reserve(features.size());
   for (const vpCueFeature &feature : features) {
-    const vpImagePoint point = toImage(Eigen::Vector2d(feature.u, feature.v), m_cam);
+    const vpImagePoint point = vpDistortedPoint::of(Eigen::Vector2d(feature.u, feature.v), m_cam);
     result.push_back({0., point.get_i(), point.get_j(), static_cast<double>(feature.state)});
   }
   return result;
@@ -99,7 +87,7 @@ std::vector<std::vector<double>> vpMbMultiCueTracker::getModelForDisplay(unsigne
       // Each control point stands for half a step of its line on either side.
       const vpControlPoint &point = view.points()[static_cast<std::size_t>(contour.first + i)];
       const Eigen::Vector2d along = 0.5 * contour.step * Eigen::Vector2d(-point.normal.y(), point.normal.x());
-      addLine(lines, toImage(point.pixel - along, cam), toImage(point.pixel + along, cam));
+      addLine(lines, vpDistortedPoint::of(point.pixel - along, cam), vpDistortedPoint::of(point.pixel + along, cam));
     }
   }
   return lines;
@@ -110,6 +98,9 @@ void vpMbMultiCueTracker::displayOn(const vpImage<Pixel> &I, const vpHomogeneous
                                     const vpCameraParameters &cam, const vpColor &col, unsigned int thickness,
                                     bool displayFullModel)
 {
+  if (m_impl->displayHypotheses) {
+    displayHypothesesOn(I, cam, thickness);
+  }
   for (const std::vector<double> &line : getModelForDisplay(I.getWidth(), I.getHeight(), cMo, cam, displayFullModel)) {
     vpDisplay::displayLine(I, vpImagePoint(line[1], line[2]), vpImagePoint(line[3], line[4]), col, thickness);
   }

@@ -58,6 +58,9 @@ void vpMbMultiCueTracker::Impl::makeRenderer()
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
   edges = vpEdgeCue(edges.settings());
+  hypotheses.clear();
+  frames = 0;
+  minimisations = 0;
   block.rows.clear();
   weights.clear();
   expected = 0;

@@ -32,6 +32,7 @@ public:
   vpModelRenderer::Preference preference = vpModelRenderer::AUTOMATIC;
   double goodRatio = 0.4;
   bool throwOnLoss = false;
+  bool displayHypotheses = false;
 
   // Model and what is derived from it.
   std::unique_ptr<vpTrackedModelBuilder> parts; // What loadModel() added up to now.
@@ -44,6 +45,9 @@ public:
   // Image and features.
   vpFrameSource source;
   vpEdgeCue edges;
+  vpPoseHypotheses hypotheses;
+  std::uint64_t frames = 0;        // Since the start.
+  unsigned int minimisations = 0; // In the last frame.
   unsigned int width = 0; // Of the images since init(); 0 before it.
   unsigned int height = 0;
 

@@ -7,6 +7,8 @@
 
 BEGIN_VISP_NAMESPACE
 
+class vpLineProjector;
+
 /*! \ingroup group_cues_edge How edges are looked for. */
 struct VISP_EXPORT vpEdgeCueSettings
 {
@@ -73,6 +75,13 @@ public:
     vpFeatureState state = vpFeatureState::GOOD; //!< Why nothing was found.
   };
 
+  //! What residuals() takes of a control point where it is not told a candidate by its index.
+  enum Choice
+  {
+    NEAREST = -1, //!< The candidate nearest to the projected edge.
+    NO_ROW = -2   //!< Nothing.
+  };
+
   explicit vpEdgeCue(const vpEdgeCueSettings &settings = vpEdgeCueSettings());
 
   //! \throw vpException naming the member that is out of range; the old settings then stay.
@@ -82,6 +91,15 @@ public:
   void match(const vpCueFrame &frame, const vpModelView &view) override;
   //! One row for each control point with candidates, in the order of matches().
   void residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block) const override;
+  /*!
+    Likewise with candidates that the caller chose.
+    \param cMo Pose.
+    \param choices For each of matches(): which of its candidates, 0 for the first, or a Choice. Control points without
+    candidates give no row in any case.
+    \param block Result.
+    \throw vpException where there is not one choice for each match.
+  */
+  void residuals(const vpHomogeneousMatrix &cMo, const std::vector<int> &choices, vpResidualBlock &block) const;
   void updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights) override;
   void reset() override;
   void getFeatures(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights,
@@ -89,6 +107,8 @@ public:
 
   const std::vector<Match> &matches() const { return m_matches; }
   const std::vector<Candidate> &candidates() const { return m_candidates; }
+  //! Camera of the last match.
+  const vpCameraParameters &camera() const { return m_camera; }
 
 private:
   // Contrast of one stretch of a model edge in the frame where it was last seen, in the sense of the edge's own
@@ -99,6 +119,7 @@ private:
     bool known = false;
   };
 
+  void addRow(const Match &match, int choice, const vpLineProjector &project, std::vector<vpResidual> &rows) const;
   const Memory *recall(const vpControlPoint &point) const;
   void remember(const Match &match, const Memory &memory);
 

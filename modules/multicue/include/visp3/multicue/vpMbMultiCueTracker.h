@@ -125,6 +125,10 @@ public:
   void setMovingEdge(const vpMe &me, vpEdgeCueSettings::ThresholdScale scale);
   void setEdgeSettings(const vpEdgeCueSettings &settings);
   vpEdgeCueSettings getEdgeSettings() const;
+  //! Several poses for each image, see vpPoseHypotheses; with vpEdgeCueSettings::candidates above 1. Off by default.
+  //! \throw vpException naming what is out of range.
+  void setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings);
+  vpPoseHypothesisSettings getPoseHypothesisSettings() const;
   virtual void setKltOpencv(const vpKltOpencv &klt);
   virtual vpKltOpencv getKltOpencv() const;
   virtual void setKltMaskBorder(const unsigned int &border);
@@ -147,6 +151,10 @@ public:
   vpColVector getRobustWeights() const override { return m_w; }
   //! Number of control points that were found in the last image and entered the pose.
   virtual unsigned int getNbFeaturesEdge() const;
+  //! The poses that the last image allows, best first; empty where hypotheses are off or nothing was found.
+  const std::vector<vpPoseHypothesis> &getPoseHypotheses() const;
+  //! Number of combinations of potential edges that were minimised for the last image.
+  unsigned int getNbPoseMinimisations() const;
   virtual unsigned int getNbFeaturesKlt() const { return 0; }
   virtual unsigned int getNbFeaturesColor() const { return 0; }
   //! As vpMbGenericTracker's: number of control points found and not refused. \param level Must be 0.
@@ -169,6 +177,9 @@ public:
                const vpColor &col, unsigned int thickness = 1, bool displayFullModel = false) override;
   void display(const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
                const vpColor &col, unsigned int thickness = 1, bool displayFullModel = false) override;
+  //! Has display() draw the potential edges, the likely ones in dark gray and the unlikely ones in light gray ([T10]
+  //! figure 4), and the poses of getPoseHypotheses() in colours of their own. Off by default.
+  void setDisplayHypotheses(bool flag);
   //@}
 
 protected:
@@ -203,6 +214,7 @@ private:
   bool restrictToObserved();
   void matchFrame(const vpCueFrame &frame);
   bool estimate(const vpCueFrame &frame);
+  void proposePose();
   void judge(bool estimated);
   const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);
@@ -210,6 +222,8 @@ private:
   template <typename Pixel>
   void displayOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
                  const vpColor &col, unsigned int thickness, bool displayFullModel);
+  template <typename Pixel>
+  void displayHypothesesOn(const vpImage<Pixel> &I, const vpCameraParameters &cam, unsigned int thickness);
 
   vpColVector m_error; // Of all rows, at the last iteration.
   vpColVector m_w;     // Their robust weights.

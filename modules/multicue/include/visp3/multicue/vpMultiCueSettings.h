@@ -5,6 +5,7 @@
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/cues/vpEdgeCue.h>
 #include <visp3/model/vpModelView.h>
+#include <visp3/multicue/vpPoseHypotheses.h>
 
 #include <string>
 
@@ -28,6 +29,7 @@ struct VISP_EXPORT vpMultiCueSettings
 {
   vpCameraParameters camera;
   vpEdgeCueSettings edge;
+  vpPoseHypothesisSettings hypotheses;
   vpModelViewOptions view; //!< Its details are set by the tracker, from the three members below.
   vpKltSettings klt;
   bool useLod = false;           //!< Leave out what is small in the image, see vpMbTracker::setLod().
@@ -55,6 +57,7 @@ struct VISP_EXPORT vpMultiCueSettings
   **JSON**: an object for each of
   - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
   - edge: range, contrast, mu1, mu2, maskSize, candidates;
+  - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, seed;
   - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, clipToImage;
   - klt: maxFeatures, windowSize, quality, minDistance, harris, blockSize, pyramidLevels, maskBorder;
   - lod: use, minLineLength, minPolygonArea,

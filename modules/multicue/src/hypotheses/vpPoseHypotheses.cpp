@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpPoseHypotheses.h>
+
+#include "hypotheses/vpClassDraw.h"
+#include "hypotheses/vpControlPointMotion.h"
+#include "hypotheses/vpPoseSolver.h"
+
+#include <opencv2/core/utility.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// A minimisation of chosen candidates starts from the motion of the first order; the one of the nearest candidates
+// after it starts close to its end.
+const unsigned int chosenIterations = 6;
+const unsigned int nearestIterations = 4;
+// Share of the control points that contours with a potential edge must have to tell a pose alone.
+const double leastDrawn = 0.5;
+} // namespace
+
+class vpPoseHypotheses::Impl
+{
+public:
+  // What one minimisation needs for itself.
+  struct Work
+  {
+    vpPoseSolver solver;
+    std::vector<int> choices;
+    const vpClassDraw::Draw *draw = nullptr;
+    vpHomogeneousMatrix cMo;
+    double error = 0.;
+    bool found = false;
+  };
+
+  void select();
+  void choose(const vpClassDraw::Draw &draw, std::vector<int> &choices) const;
+  void minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo);
+  void run(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo, Work &work) const;
+  void merge(const vpEdgeCue &edges, const vpModelView &view);
+  void record(const vpEdgeCue &edges);
+
+  vpPoseHypothesisSettings settings;
+  vpPoseMatrix6 freeMotions = vpPoseMatrix6::Identity();
+  vpContourClasses classes;
+  vpClassDraw draws;
+  std::vector<std::size_t> order;
+  std::vector<Work> works; // Memory; the first `minimised` are in use.
+  std::size_t minimised = 0;
+  std::vector<vpPoseHypothesis> found;
+  std::vector<Contour> contours;
+  std::vector<vpControlPoint> points; // Of the matches, for lines().
+};
+
+vpPoseHypotheses::vpPoseHypotheses(const vpPoseHypothesisSettings &settings) : m_impl(std::make_unique<Impl>())
+{
+  setSettings(settings);
+}
+
+vpPoseHypotheses::~vpPoseHypotheses() = default;
+vpPoseHypotheses::vpPoseHypotheses(vpPoseHypotheses &&) noexcept = default;
+vpPoseHypotheses &vpPoseHypotheses::operator=(vpPoseHypotheses &&) noexcept = default;
+
+void vpPoseHypotheses::setSettings(const vpPoseHypothesisSettings &settings)
+{
+  settings.check();
+  m_impl->settings = settings;
+}
+
+const vpPoseHypothesisSettings &vpPoseHypotheses::settings() const
+{
+  return m_impl->settings;
+}
+
+void vpPoseHypotheses::setEstimatedMotions(const vpMatrix &oJo)
+{
+  m_impl->freeMotions = vpMotionFrame::toEigen(oJo);
+}
+
+// The draws to minimise: the most coherent ones, of those that lead to the same motion the first.
+void vpPoseHypotheses::Impl::select()
+{
+  order.resize(draws.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [this](std::size_t a, std::size_t b) { return draws[a].error < draws[b].error; });
+  minimised = 0;
+  for (const std::size_t i : order) {
+    const vpClassDraw::Draw &draw = draws[i];
+    const auto end = works.begin() + static_cast<std::ptrdiff_t>(minimised);
+    const bool known = std::any_of(works.begin(), end, [&](const Work &work) {
+      return classes.difference(draw.motion, work.draw->motion) < settings.mergeTolerance;
+    });
+    if (known) {
+      continue;
+    }
+    if (works.size() == minimised) {
+      works.emplace_back();
+    }
+    works[minimised++].draw = &draw;
+    if (minimised == settings.minimisations) {
+      break;
+    }
+  }
+}
+
+// What is in no drawn class takes no part, unless that is most of the object.
+void vpPoseHypotheses::Impl::choose(const vpClassDraw::Draw &draw, std::vector<int> &choices) const
+{
+  const std::vector<int> &first = classes.members(0);
+  choices.assign(first.size(), vpEdgeCue::NO_ROW);
+  int drawn = 0;
+  for (std::size_t i = 0; i < draw.classes.size(); ++i) {
+    if (draw.classes[i] >= 0) {
+      const vpContourClasses::Contour &contour = classes.contours()[i];
+      const std::vector<int> &members = classes.members(draw.classes[i]);
+      std::copy_n(members.begin() + contour.first, contour.count, choices.begin() + contour.first);
+      drawn += contour.count;
+    }
+  }
+  if (drawn < leastDrawn * static_cast<double>(choices.size())) {
+    std::replace(choices.begin(), choices.end(), static_cast<int>(vpEdgeCue::NO_ROW),
+                 static_cast<int>(vpEdgeCue::NEAREST));
+  }
+}
+
+void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo,
+                                 Work &work) const
+{
+  choose(*work.draw, work.choices);
+  work.cMo = cMo;
+  work.found =
+      work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
+      work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
+  if (work.found) {
+    work.error = work.solver.error(edges, work.cMo, cutoff);
+  }
+}
+
+void vpPoseHypotheses::Impl::minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo)
+{
+  if (minimised == 1) {
+    run(edges, diameter, cMo, works[0]);
+    return;
+  }
+  cv::parallel_for_(cv::Range(0, static_cast<int>(minimised)), [&](const cv::Range &range) {
+    for (int i = range.start; i < range.end; ++i) {
+      run(edges, diameter, cMo, works[static_cast<std::size_t>(i)]);
+    }
+  });
+}
+
+void vpPoseHypotheses::Impl::merge(const vpEdgeCue &edges, const vpModelView &view)
+{
+  found.clear();
+  std::vector<double> costs;
+  const double range = edges.settings().range;
+  const double measured = static_cast<double>(classes.contours().size());
+  for (std::size_t i = 0; i < minimised; ++i) {
+    const Work &work = works[i];
+    if (!work.found) {
+      continue;
+    }
+    const double motion = vpControlPointMotion::mean(view, work.cMo, edges.camera()) / range;
+    const double cost = measured * work.error + 0.5 * motion * motion;
+    vpPoseHypothesis hypothesis;
+    hypothesis.cMo = work.cMo;
+    hypothesis.residue = std::sqrt(work.error);
+    hypothesis.weight = -cost;
+    hypothesis.classes = work.draw->classes;
+    const auto same = std::find_if(found.begin(), found.end(), [&](const vpPoseHypothesis &other) {
+      return vpControlPointMotion::between(view, work.cMo, other.cMo, edges.camera()) < settings.mergeTolerance;
+    });
+    if (same == found.end()) {
+      found.push_back(hypothesis);
+    } else if (hypothesis.weight > same->weight) {
+      *same = hypothesis;
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const vpPoseHypothesis &a, const vpPoseHypothesis &b) { return a.weight > b.weight; });
+  double sum = 0.;
+  const double best = found.empty() ? 0. : found.front().weight;
+  for (vpPoseHypothesis &hypothesis : found) {
+    hypothesis.weight = std::exp(hypothesis.weight - best);
+    sum += hypothesis.weight;
+  }
+  for (vpPoseHypothesis &hypothesis : found) {
+    hypothesis.weight /= sum;
+  }
+}
+
+void vpPoseHypotheses::Impl::record(const vpEdgeCue &edges)
+{
+  contours.clear();
+  for (const vpContourClasses::Contour &contour : classes.contours()) {
+    contours.push_back({contour.first, contour.count, contour.classes});
+  }
+  points.clear();
+  for (const vpEdgeCue::Match &match : edges.matches()) {
+    points.push_back(match.point);
+  }
+}
+
+const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edges, const vpModelView &view,
+                                                            const vpHomogeneousMatrix &cMo, std::uint64_t stream)
+{
+  Impl &impl = *m_impl;
+  const double diameter = view.model().diameter();
+  const vpPoseMatrix6 toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions *
+                             vpMotionFrame::scale(diameter).asDiagonal();
+  impl.classes.compute(edges, view, cMo, toCamera, impl.settings.lambda);
+  const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
+  impl.draws.compute(impl.classes, prior, impl.settings.draws, impl.settings.seed, stream);
+  impl.select();
+  impl.minimise(edges, diameter, cMo);
+  impl.merge(edges, view);
+  impl.record(edges);
+  return impl.found;
+}
+
+const std::vector<vpPoseHypothesis> &vpPoseHypotheses::hypotheses() const
+{
+  return m_impl->found;
+}
+
+const std::vector<vpPoseHypotheses::Contour> &vpPoseHypotheses::contours() const
+{
+  return m_impl->contours;
+}
+
+std::vector<vpPoseHypotheses::Line> vpPoseHypotheses::lines() const
+{
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < m_impl->contours.size(); ++i) {
+    const vpContourClasses::Contour &contour = m_impl->classes.contours()[i];
+    for (int label = 0; label < contour.classes; ++label) {
+      Line line;
+      line.contour = static_cast<int>(i);
+      line.label = label;
+      line.weight = m_impl->classes.at(contour, label).weight;
+      for (int k = contour.first; k < contour.first + contour.count; ++k) {
+        const vpControlPoint &point = m_impl->points[static_cast<std::size_t>(k)];
+        line.points.push_back(point.pixel + m_impl->classes.displacement(label, k) * point.normal);
+      }
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+void vpPoseHypotheses::clear()
+{
+  m_impl->found.clear();
+  m_impl->contours.clear();
+  m_impl->points.clear();
+  m_impl->draws.clear();
+  m_impl->minimised = 0;
+}
+
+unsigned int vpPoseHypotheses::differentDraws() const
+{
+  return static_cast<unsigned int>(m_impl->draws.size());
+}
+
+unsigned int vpPoseHypotheses::minimisations() const
+{
+  return static_cast<unsigned int>(m_impl->minimised);
+}
+
+END_VISP_NAMESPACE
