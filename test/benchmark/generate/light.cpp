@@ -88,7 +88,10 @@ Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material
   float highlight = 0.F;
   if (towards > 0.F) {
     const float along = std::max(0.F, normal.dot((toLight + toCamera).normalized()));
-    highlight = 255.F * material.specular * std::pow(along, material.shininess) * lit;
+    // Farther away it is less than a tenth of a gray level, and a power takes time.
+    if (along * material.shininess > material.shininess - 8.F) {
+      highlight = 255.F * material.specular * std::pow(along, material.shininess) * lit;
+    }
   }
   Eigen::Vector3f seen = point.color * (light.ambient + light.diffuse * towards);
   seen.array() += highlight;
