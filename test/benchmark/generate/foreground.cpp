@@ -15,7 +15,7 @@ namespace bench {
 namespace {
 const int spriteSize = 256;
 //! Less than what may be hidden, because planning looks at coarse pixels.
-const double mostHidden = 0.37;
+const double mostHidden = 0.35;
 
 cv::Point2d centreOf(const cv::Rect &box)
 {

@@ -137,7 +137,7 @@ double Motion::reachOf(int crossing) const
     const double edge = m_camera.height / 2. * (distance + c.z());
     outside = std::max(outside, (edge - focal * side * c.y()) / distance);
   }
-  return outside + 33. * m_camera.scale();
+  return outside + 48. * m_camera.scale();
 }
 
 double Motion::distanceAt(double parameter) const
