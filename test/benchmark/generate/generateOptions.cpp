@@ -22,7 +22,7 @@ const char *const help =
     "  --background KIND  photo, plain or space (space for the satellite, photo for the others)\n"
     "  --size WxH         pixels of the images (640x480)\n"
     "  --unit METRES      metres per unit of a mesh: 1, 0.01, 0.001 (1)\n"
-    "  --jobs N           threads (1)\n"
+    "  --jobs N           threads (1; 2 for blur)\n"
     "  --help             this text\n";
 
 [[noreturn]] void refuse(const std::string &option, const std::string &value, const char *expected)
