@@ -5,45 +5,25 @@
 */
 #include "generate/generateOptions.h"
 
+#include "program/progressBar.h"
+
+#include <visp3/core/vpException.h>
 #include <visp3/core/vpTime.h>
 
 #include <iostream>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#endif
+#include <memory>
 
 namespace {
-bool isTerminal()
-{
-#if defined(__unix__) || defined(__APPLE__)
-  return isatty(STDERR_FILENO) != 0;
-#else
-  return false;
-#endif
-}
-
-void showBar(const std::string &name, int finished, int frames)
-{
-  const int width = 40;
-  const int done = width * finished / frames;
-  std::cerr << "\r" << name << " [" << std::string(static_cast<std::size_t>(done), '#')
-            << std::string(static_cast<std::size_t>(width - done), ' ') << "] " << finished << "/" << frames
-            << std::flush;
-}
-
 void generate(const bench::SceneOptions &options)
 {
   const std::string name = bench::sceneName(options);
-  const bool bar = isTerminal();
   const double begin = vpTime::measureTimeMs();
-  bench::generateScene(options, [&](int finished) {
-    if (bar) {
-      showBar(name, finished, options.frames);
-    }
-  });
-  std::cerr << (bar ? "\r" + std::string(80, ' ') + "\r" : "") << name << ": " << options.frames << " images in "
-            << (vpTime::measureTimeMs() - begin) / 1000. << " s" << std::endl;
+  auto bar = std::make_unique<bench::ProgressBar>(static_cast<std::size_t>(options.frames));
+  bar->setText(name);
+  bench::generateScene(options, [&bar](int) { bar->advance(1); });
+  bar.reset(); // Before the line that stays.
+  std::cerr << name << ": " << options.frames << " images in " << (vpTime::measureTimeMs() - begin) / 1000. << " s"
+            << std::endl;
 }
 } // namespace
 
@@ -62,9 +42,11 @@ int main(int argc, const char *argv[])
         generate(scene);
       }
     }
+    return 0;
+  } catch (const vpException &e) {
+    std::cerr << e.getStringMessage() << std::endl;
   } catch (const std::exception &e) {
-    std::cerr << "multicue-generate: " << e.what() << std::endl;
-    return 1;
+    std::cerr << e.what() << std::endl;
   }
-  return 0;
+  return 1;
 }

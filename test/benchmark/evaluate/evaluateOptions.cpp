@@ -2,7 +2,7 @@
 #include "evaluate/evaluateOptions.h"
 
 #include "evaluate/benchTracker.h"
-#include "evaluate/commandLine.h"
+#include "program/commandLine.h"
 
 #include <visp3/core/vpException.h>
 

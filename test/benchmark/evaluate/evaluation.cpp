@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "evaluate/evaluation.h"
 
-#include "evaluate/threads.h"
-#include "evaluate/workers.h"
+#include "program/threads.h"
+#include "program/workers.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpIoTools.h>

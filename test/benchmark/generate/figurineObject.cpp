@@ -89,11 +89,11 @@ SyntheticObject makeFigurine(std::uint64_t seed)
   SyntheticObject object;
   object.name = "figurine";
   object.id = 5;
-  object.pixelDiameter = 215.;
+  object.pixelDiameter = 250.;
   object.materials = {SurfaceMaterial{0.22F, 25.F, 0.F, 0.F}};
   const std::vector<Limb> limbs = makeLimbs(seed);
   const auto distance = [&limbs](const Point &p) { return smoothDistance(limbs, p); };
-  const SurfaceNet net = makeSurfaceNet(distance, Point(-0.064, -0.080, -0.050), Point(0.054, 0.100, 0.040), 0.00166);
+  const SurfaceNet net = makeSurfaceNet(distance, Point(-0.064, -0.080, -0.050), Point(0.054, 0.100, 0.040), 0.00164);
   for (const std::array<int, 3> &corners : net.triangles) {
     ColoredTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -15,7 +15,7 @@ namespace bench {
 namespace {
 const int spriteSize = 256;
 //! Less than what may be hidden, because planning looks at coarse pixels.
-const double mostHidden = 0.37;
+const double mostHidden = 0.35;
 
 cv::Point2d centreOf(const cv::Rect &box)
 {
@@ -80,8 +80,9 @@ public:
 private:
   cv::Matx23d map(double time, double scale) const
   {
-    // Off the object's middle at the start, so that a tracker sees most of it then.
-    const cv::Point2d offset(0.62 * m_size * std::cos(2. * M_PI * time / 83.),
+    // It comes from the side, so that a tracker sees the whole object at the start.
+    const double start = 0.7 * std::exp(-std::max(0., time) / 10.);
+    const cv::Point2d offset((start + 0.62 * std::cos(2. * M_PI * time / 83.)) * m_size,
                              0.33 * m_size * std::sin(2. * M_PI * time / 131. + m_phase));
     const cv::Point2d at = between(m_centre, time) + offset;
     const double angle = m_turn + 0.5 * std::sin(2. * M_PI * time / 97.);
@@ -172,7 +173,7 @@ public:
       }
     }
     m_speed = 30. * camera.scale();
-    drawBoard(static_cast<int>(widest + 12.5 * m_speed), seed);
+    drawBoard(static_cast<int>(widest + 9.5 * m_speed), seed);
   }
 
   void draw(double time, cv::Mat &image, cv::Mat &hidden) const override

@@ -1,122 +1,77 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generate/generateOptions.h"
 
+#include "program/commandLine.h"
+
 #include <visp3/core/vpException.h>
 #include <visp3/model/vpModelReader.h>
 
 #include <algorithm>
-#include <iostream>
 #include <sstream>
 
 namespace bench {
 namespace {
-const char *const help =
-    "Renders image sequences of moving objects with their true poses, in BOP's layout.\n"
-    "\n"
-    "multicue-generate --object LIST --variant LIST --out DIR [options]\n"
-    "  --object LIST      box, bands, window, satellite, figurine, the path of a mesh, or all; separated by commas\n"
-    "  --variant LIST     regular, light, noise, occlusion, blur, blackout, exit, or all; separated by commas\n"
-    "  --out DIR          folder of the data set\n"
-    "  --frames N         images of each sequence (300)\n"
-    "  --seed N           the same seed gives the same images (1)\n"
-    "  --background KIND  photo, plain or space (space for the satellite, photo for the others)\n"
-    "  --size WxH         pixels of the images (640x480)\n"
-    "  --unit METRES      metres per unit of a mesh: 1, 0.01, 0.001 (1)\n"
-    "  --jobs N           threads (1)\n"
-    "  --help             this text\n";
-
-[[noreturn]] void refuse(const std::string &option, const std::string &value, const char *expected)
-{
-  throw vpException(vpException::badValue, "%s cannot be '%s': give %s", option.c_str(), value.c_str(), expected);
-}
-
-template <typename Number> Number number(const std::string &option, const std::string &value, const char *expected)
-{
-  std::istringstream in(value);
-  Number result{};
-  if (value.find('-') != std::string::npos || !(in >> result) || in.peek() != std::istringstream::traits_type::eof() ||
-      (option != "--seed" && !(result > Number{}))) {
-    refuse(option, value, expected);
-  }
-  return result;
-}
-
-std::vector<std::string> names(const std::string &option, const std::string &value, const std::vector<std::string> &all,
-                               bool meshes)
+// The names in a list, "all" replaced by all of them.
+std::vector<std::string> expand(const std::string &option, const std::string &value,
+                                const std::vector<std::string> &all, bool meshes)
 {
   std::vector<std::string> list;
-  std::istringstream in(value);
-  for (std::string name; std::getline(in, name, ',');) {
+  for (const std::string &name : splitList(value)) {
     if (name == "all") {
       list.insert(list.end(), all.begin(), all.end());
     } else if (std::find(all.begin(), all.end(), name) != all.end() || (meshes && vpModelReader::isMesh(name))) {
       list.push_back(name);
     } else {
-      refuse(option, name, meshes ? "names that --help lists, or the path of a mesh" : "names that --help lists");
+      throw vpException(vpException::badValue, "%s: '%s' is not one of the names that --help lists%s", option.c_str(),
+                        name.c_str(), meshes ? ", nor the name of a mesh file" : "");
     }
-  }
-  if (list.empty()) {
-    refuse(option, value, "at least one name");
   }
   return list;
 }
 
 void setSize(const std::string &value, SceneOptions &scene)
 {
-  const char *const expected = "width and height in pixels, such as 640x480";
-  const std::size_t cross = value.find('x');
-  if (cross == std::string::npos) {
-    refuse("--size", value, expected);
+  std::istringstream text(value);
+  char cross = ' ';
+  if (value.find('-') != std::string::npos || !(text >> scene.width >> cross >> scene.height) || cross != 'x' ||
+      !(text >> std::ws).eof() || scene.width == 0 || scene.height == 0) {
+    throw vpException(vpException::badValue, "--size: '%s' is not a width and a height in pixels, such as 640x480",
+                      value.c_str());
   }
-  scene.width = number<unsigned int>("--size", value.substr(0, cross), expected);
-  scene.height = number<unsigned int>("--size", value.substr(cross + 1), expected);
 }
 
-void set(const std::string &option, const std::string &value, GenerateOptions &options)
+void setSeed(const std::string &value, SceneOptions &scene)
 {
-  SceneOptions &scene = options.scene;
-  if (option == "--object") {
-    options.objects = names(option, value, objectNames(), true);
-  } else if (option == "--variant") {
-    options.variants = names(option, value, variantNames(), false);
-  } else if (option == "--out") {
-    scene.dataset = value;
-  } else if (option == "--frames") {
-    scene.frames = number<int>(option, value, "a number of images of at least 2");
-  } else if (option == "--seed") {
-    scene.seed = number<std::uint64_t>(option, value, "a whole number of at least 0");
-  } else if (option == "--background") {
-    scene.background = names(option, value, {"photo", "plain", "space"}, false).front();
-  } else if (option == "--size") {
-    setSize(value, scene);
-  } else if (option == "--unit") {
-    scene.unit = number<double>(option, value, "metres per unit of the mesh, such as 0.001");
-  } else if (option == "--jobs") {
-    scene.jobs = number<int>(option, value, "a number of threads");
-  } else {
-    throw vpException(vpException::badValue, "there is no option '%s'; --help lists them", option.c_str());
+  std::istringstream text(value);
+  if (value.find('-') != std::string::npos || !(text >> scene.seed) || !(text >> std::ws).eof()) {
+    throw vpException(vpException::badValue, "--seed: '%s' is not a whole number of at least 0", value.c_str());
   }
 }
 } // namespace
 
 bool GenerateOptions::read(int argc, const char *const argv[])
 {
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option == "--help" || option == "-h") {
-      std::cout << help;
-      return false;
-    }
-    if (option.rfind("--", 0) != 0) {
-      throw vpException(vpException::badValue, "'%s' is no option; --help lists them", option.c_str());
-    }
-    if (i + 1 == argc) {
-      throw vpException(vpException::badValue, "%s needs a value; --help lists the options", option.c_str());
-    }
-    set(option, argv[++i], *this);
+  CommandLine line("Renders image sequences of moving objects with their true poses, in BOP's layout:\n"
+                   "multicue-generate --object LIST --variant LIST --out DIR");
+  line.addSetter("--object", "box, bands, window, satellite, figurine, the path of a mesh, or all; several with commas",
+                 [this](const std::string &value) { objects = expand("--object", value, objectNames(), true); });
+  line.addSetter("--variant", "regular, light, noise, occlusion, blur, blackout, exit, or all; several with commas",
+                 [this](const std::string &value) { variants = expand("--variant", value, variantNames(), false); });
+  line.add("--out", "folder of the data set", scene.dataset);
+  line.add("--frames", "images of each sequence; default 300", scene.frames, 2);
+  line.addSetter("--seed", "the same seed gives the same images; default 1",
+                 [this](const std::string &value) { setSeed(value, scene); });
+  line.add("--background", "photo, plain or space; default: space for the satellite, photo for the others",
+           scene.background);
+  line.addSetter("--size", "width and height of the images, pixels; default 640x480",
+                 [this](const std::string &value) { setSize(value, scene); });
+  line.add("--unit", "metres per unit of a mesh; default 1", scene.unit);
+  line.add("--jobs", "threads; default 1, 2 for blur", scene.jobs, 1);
+  if (!line.read(argc, argv)) {
+    return false;
   }
   if (objects.empty() || variants.empty() || scene.dataset.empty()) {
-    throw vpException(vpException::badValue, "give --object, --variant and --out; --help tells what they may be");
+    throw vpException(vpException::badValue, "--object, --variant and --out are needed; --help says more");
   }
   return true;
 }

@@ -47,8 +47,10 @@ std::vector<BopFrame> generateScene(const SceneOptions &options, const std::func
       next = options.frames;
     }
   };
+  // A blurred image is made of eight, so that a second thread is worth it in any case.
+  const int jobs = std::max(options.jobs, options.variant == "blur" ? 2 : 1);
   std::vector<std::thread> threads;
-  for (int i = 1; i < options.jobs; ++i) {
+  for (int i = 1; i < jobs; ++i) {
     threads.emplace_back(work);
   }
   work();

@@ -75,20 +75,25 @@ Light lightAt(const SyntheticObject &object, bool moves, double time, std::uint6
   return light;
 }
 
-Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material, const Light &light, float lit,
-                      const Eigen::Matrix3f &oRc)
+Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material, const Light &light,
+                      const ShadowMap &shadow, const Eigen::Matrix3f &oRc)
 {
   Eigen::Vector3f normal = point.normal;
   if (material.crinkle > 0.F) {
     normal = (normal + oRc.transpose() * crinkles(point.object, material)).normalized();
   }
   const Eigen::Vector3f toLight = light.toLight.cast<float>();
-  const Eigen::Vector3f toCamera = -point.camera.normalized();
-  const float towards = std::max(0.F, normal.dot(toLight)) * lit;
+  const float facing = normal.dot(toLight);
+  const float lit = facing > 0.F ? shadow.lit(point.camera, point.normal) : 0.F;
+  const float towards = facing * lit;
   float highlight = 0.F;
-  if (towards > 0.F) {
+  if (lit > 0.F) {
+    const Eigen::Vector3f toCamera = -point.camera.normalized();
     const float along = std::max(0.F, normal.dot((toLight + toCamera).normalized()));
-    highlight = 255.F * material.specular * std::pow(along, material.shininess) * lit;
+    // Farther away it is less than a tenth of a gray level, and a power takes time.
+    if (along * material.shininess > material.shininess - 8.F) {
+      highlight = 255.F * material.specular * std::pow(along, material.shininess) * lit;
+    }
   }
   Eigen::Vector3f seen = point.color * (light.ambient + light.diffuse * towards);
   seen.array() += highlight;

@@ -2,6 +2,7 @@
 #ifndef benchLight_h
 #define benchLight_h
 
+#include "generate/shadowMap.h"
 #include "generate/syntheticObject.h"
 
 namespace bench {
@@ -35,12 +36,12 @@ struct SurfacePoint
 
 /*!
   Lambert's law with a highlight and ambient light.
-  \param lit Share of the light that arrives, [0, 1].
+  \param shadow What the light sees.
   \param oRc Rotation from camera to object frame.
   \return Blue, green, red in gray levels, [0, 255].
 */
-Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material, const Light &light, float lit,
-                      const Eigen::Matrix3f &oRc);
+Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material, const Light &light,
+                      const ShadowMap &shadow, const Eigen::Matrix3f &oRc);
 
 } // namespace bench
 #endif

@@ -20,6 +20,16 @@ cv::Mat toMat(const vpImage<vpRGBa> &image)
   }
   return result;
 }
+
+//! The same number for the same name in every run, so that several meshes can be in one data set. FNV-1a.
+int numberOf(const std::string &name)
+{
+  std::uint32_t hash = 2166136261U;
+  for (const char c : name) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  }
+  return 1000 + static_cast<int>(hash % 900000U);
+}
 } // namespace
 
 SyntheticObject makeFromMesh(const std::string &file, double unit)
@@ -30,7 +40,7 @@ SyntheticObject makeFromMesh(const std::string &file, double unit)
   const vpModelAppearance &look = model.appearance();
   SyntheticObject object;
   object.name = file;
-  object.id = 6;
+  object.id = numberOf(file.substr(file.find_last_of("/\\") + 1));
   object.materials.emplace_back();
   for (const vpImage<vpRGBa> &image : look.images) {
     object.images.push_back(toMat(image));

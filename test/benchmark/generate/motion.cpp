@@ -72,7 +72,7 @@ Motion::Motion(const SceneCamera &camera, const MotionSettings &settings) : m_ca
     m_points.push_back(settings.points[i]);
   }
   // An object that leaves the image is to do so by moving, with little time for turning.
-  const double slow = settings.exits ? 0.3 : 1.;
+  const double slow = settings.exits ? 0.2 : 1.;
   vpPoseRandom random(settings.seed, {0x6d6f74696f6e});
   const auto wave = [&](double frequency) {
     return Wave{frequency * (0.9 + 0.2 * random.uniform()), turn * random.uniform()};
@@ -101,7 +101,7 @@ Eigen::Matrix3d Motion::rotationAt(double parameter) const
     const double pitch = 32. * degree * m_pitch.at(parameter);
     return turnAbout(z, 25. * degree * m_roll.at(parameter)) * turnAbout(x, pitch) * turnAbout(y, yaw) * upright;
   }
-  const double turns = m_settings.exits ? 0.3 : 1.;
+  const double turns = m_settings.exits ? 0.2 : 1.;
   const double yaw = m_firstYaw + turn * turns * parameter + 0.4 * m_yaw.at(parameter);
   const double pitch = 65. * degree * m_pitch.at(parameter);
   return turnAbout(z, 40. * degree * m_roll.at(parameter)) * turnAbout(x, pitch) * turnAbout(y, yaw) * upright;
@@ -115,37 +115,42 @@ Eigen::Vector2d Motion::placeAt(double parameter, double distance) const
   if (!m_settings.exits) {
     return {column, std::max(0., m_camera.height / 2. - extent) * m_row.at(parameter)};
   }
-  // Up and down through the image; wholly outside where the sine is larger than 1 / overshoot.
-  const double overshoot = 1.11;
+  // Up and down through the image, beyond its upper and lower edge in turn.
   const int before = static_cast<int>(std::floor(parameter - 0.5));
   const double between = parameter - 0.5 - before;
   const double blend = between * between * (3. - 2. * between);
-  const double half = (1. - blend) * halfHeight(before) + blend * halfHeight(before + 1);
-  return {0.6 * column, overshoot * std::sin(M_PI * parameter) * (m_camera.height / 2. + half)};
+  const double reach = (1. - blend) * reachOf(before) + blend * reachOf(before + 1);
+  return {0.6 * column, reach * std::sin(M_PI * parameter)};
 }
 
-double Motion::halfHeight(int crossing) const
+double Motion::reachOf(int crossing) const
 {
   const double parameter = crossing + 0.5;
   const double focal = m_camera.cam.get_px();
-  const double distance = focal * m_diameter / (m_settings.pixelDiameter * m_camera.scale());
+  const double distance = distanceAt(parameter);
+  const double side = crossing % 2 == 0 ? 1. : -1.;
   const Eigen::Matrix3d rotation = rotationAt(parameter);
-  // Seen obliquely outside the image, where it is a little larger.
-  const double slope = 0.55 * m_camera.height / focal;
-  double largest = 0.;
+  // Distance of the centre from the image's middle at which no point is in the image any more.
+  double outside = 0.;
   for (const Eigen::Vector3d &p : m_points) {
     const Eigen::Vector3d c = rotation * (p - m_centre);
-    largest = std::max(largest, focal * (std::abs(c.y()) + slope * std::abs(c.z())) / distance);
+    const double edge = m_camera.height / 2. * (distance + c.z());
+    outside = std::max(outside, (edge - focal * side * c.y()) / distance);
   }
-  return largest;
+  return outside + 48. * m_camera.scale();
+}
+
+double Motion::distanceAt(double parameter) const
+{
+  const double size = m_settings.pixelDiameter * m_camera.scale() * (1. + 0.15 * m_size.at(parameter));
+  return m_camera.cam.get_px() * m_diameter / size;
 }
 
 vpHomogeneousMatrix Motion::poseAt(double parameter) const
 {
   const Eigen::Matrix3d rotation = rotationAt(parameter);
   const double focal = m_camera.cam.get_px();
-  const double size = m_settings.pixelDiameter * m_camera.scale() * (1. + 0.15 * m_size.at(parameter));
-  const double distance = focal * m_diameter / size;
+  const double distance = distanceAt(parameter);
   const Eigen::Vector2d place = placeAt(parameter, distance);
   const Eigen::Vector3d centre(place.x() * distance / focal, place.y() * distance / focal, distance);
   return toPose(rotation, centre - rotation * m_centre);

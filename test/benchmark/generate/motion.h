@@ -66,7 +66,8 @@ private:
   vpHomogeneousMatrix poseAt(double parameter) const;
   Eigen::Matrix3d rotationAt(double parameter) const;
   Eigen::Vector2d placeAt(double parameter, double distance) const;
-  double halfHeight(int crossing) const;
+  double distanceAt(double parameter) const;
+  double reachOf(int crossing) const;
   void project(const vpHomogeneousMatrix &cMo, std::vector<Eigen::Vector2d> &pixels) const;
   double nextParameter(double parameter, double pixels) const;
   void chooseParameters();

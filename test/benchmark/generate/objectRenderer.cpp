@@ -46,7 +46,7 @@ Eigen::Vector3f ObjectRenderer::shadeSample(std::size_t sample, const Eigen::Vec
   const vpRGBa &color = m_view.color[sample];
   point.color << color.B, color.G, color.R;
   const SurfaceMaterial &material = m_object.materials[static_cast<std::size_t>(m_view.face[sample])];
-  return shade(point, material, light, m_shadow.lit(point.camera, point.normal), m_oRc);
+  return shade(point, material, light, m_shadow, m_oRc);
 }
 
 void ObjectRenderer::render(const vpHomogeneousMatrix &cMo, const Light &light, int samples, ImageLayer &layer)

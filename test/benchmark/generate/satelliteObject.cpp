@@ -120,7 +120,7 @@ void addDish(const Point &base, const Point &axis, SyntheticObject &object, CaoT
     const double r = radius * i / rings;
     profile.emplace_back(r, depth * r * r / (radius * radius) + thickness);
   }
-  addTurned(base, axis, profile, 48, Eigen::Vector3f(0.86F, 0.86F, 0.84F), PAINT, object);
+  addTurned(base, axis, profile, 48, Eigen::Vector3f(0.72F, 0.72F, 0.70F), PAINT, object);
   const Point u = axis.unitOrthogonal();
   const Point rim = base + (depth + thickness) * axis;
   cao.addCircle(rim, rim + radius * u, rim + radius * axis.cross(u), radius, "dish");

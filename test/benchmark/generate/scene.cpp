@@ -143,6 +143,30 @@ cv::Mat Scene::renderInstant(double time, int samples, ObjectRenderer &renderer,
   return image;
 }
 
+cv::Mat Scene::renderExposure(double time, ObjectRenderer &renderer) const
+{
+  // The background moves by less than a pixel meanwhile, so the means of colour and coverage are all that is needed.
+  cv::Mat image = m_background->at(time);
+  ImageLayer mean;
+  mean.area = cv::Rect(cv::Point(0, 0), image.size());
+  mean.color = cv::Mat::zeros(image.size(), CV_32FC3);
+  mean.coverage = cv::Mat::zeros(image.size(), CV_32F);
+  for (int i = 0; i < exposureSteps; ++i) {
+    // Two samples along an axis are enough for each of the eight, whose edges lie elsewhere.
+    const double instant = time + exposure * ((i + 0.5) / exposureSteps - 0.5);
+    ImageLayer layer;
+    renderer.render(m_motion->pose(instant), lightAt(m_synthetic, false, instant, m_options.seed), 2, layer);
+    const cv::Rect inside = layer.area & mean.area;
+    if (!inside.empty()) {
+      const cv::Rect part(inside.tl() - layer.area.tl(), inside.size());
+      mean.color(inside) += layer.color(part) / exposureSteps;
+      mean.coverage(inside) += layer.coverage(part) / exposureSteps;
+    }
+  }
+  compose(mean, image);
+  return image;
+}
+
 cv::Mat Scene::render(int frame, ObjectRenderer &renderer, BopFrame &truth) const
 {
   truth = BopFrame();
@@ -150,12 +174,7 @@ cv::Mat Scene::render(int frame, ObjectRenderer &renderer, BopFrame &truth) cons
   truth.cMo = pose(frame);
   cv::Mat image;
   if (m_options.variant == "blur") {
-    // Two samples along an axis are enough for each of the eight images, whose edges lie elsewhere.
-    image = cv::Mat::zeros(static_cast<int>(m_camera.height), static_cast<int>(m_camera.width), CV_32FC3);
-    for (int i = 0; i < exposureSteps; ++i) {
-      const double time = frame + exposure * ((i + 0.5) / exposureSteps - 0.5);
-      image += renderInstant(time, 2, renderer, nullptr) / exposureSteps;
-    }
+    image = renderExposure(frame, renderer);
     ImageLayer object;
     renderer.render(truth.cMo, Light(), 1, object);
     fillTruth(object, cv::Mat::zeros(image.size(), CV_32F), truth);

@@ -63,6 +63,8 @@ public:
 
 private:
   cv::Mat renderInstant(double time, int samples, ObjectRenderer &renderer, BopFrame *truth) const;
+  //! The mean of several instants, time being the middle of the exposure.
+  cv::Mat renderExposure(double time, ObjectRenderer &renderer) const;
   void fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const;
   void planForeground();
   void addNoise(int frame, cv::Mat &image) const;

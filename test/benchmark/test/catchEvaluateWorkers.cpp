@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
-#include "evaluate/commandLine.h"
+#include "program/commandLine.h"
 #include "evaluate/evaluateOptions.h"
-#include "evaluate/workers.h"
+#include "program/workers.h"
 
 #include <meshFiles.h>
 

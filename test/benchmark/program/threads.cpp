@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "evaluate/threads.h"
+#include "program/threads.h"
 
 #include <opencv2/core/utility.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "evaluate/commandLine.h"
+#include "program/commandLine.h"
 
 #include <visp3/core/vpException.h>
 
@@ -83,6 +83,12 @@ void CommandLine::add(const std::string &name, const std::string &help, double &
 void CommandLine::add(const std::string &name, const std::string &help, bool &flag)
 {
   m_options.push_back({name, help, false, [&flag](const std::string &) { flag = true; }});
+}
+
+void CommandLine::addSetter(const std::string &name, const std::string &help,
+                            const std::function<void(const std::string &)> &set)
+{
+  m_options.push_back({name, help, true, set});
 }
 
 void CommandLine::printHelp() const

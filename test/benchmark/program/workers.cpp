@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "evaluate/workers.h"
+#include "program/workers.h"
 
-#include "evaluate/progressBar.h"
+#include "program/progressBar.h"
 
 #include <visp3/core/vpException.h>
 

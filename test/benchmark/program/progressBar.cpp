@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "evaluate/progressBar.h"
+#include "program/progressBar.h"
 
 #include <unistd.h>
 

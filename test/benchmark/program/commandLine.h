@@ -21,6 +21,8 @@ public:
   void add(const std::string &name, const std::string &help, int &value, int least);
   void add(const std::string &name, const std::string &help, double &value);
   void add(const std::string &name, const std::string &help, bool &flag); //!< A switch without a value.
+  //! \param set Takes the value, or throws.
+  void addSetter(const std::string &name, const std::string &help, const std::function<void(const std::string &)> &set);
 
   /*!
     \return False where --help was asked for and printed.
