@@ -67,6 +67,7 @@ public:
 
   vpPoseHypothesisSettings settings;
   vpPoseMatrix6 freeMotions = vpPoseMatrix6::Identity();
+  vpPoseMatrix6 toCamera; // From a draw's motion to the camera's velocity.
   vpContourClasses classes;
   vpClassDraw draws;
   std::vector<std::size_t> order;
@@ -155,7 +156,8 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
                                  Work &work) const
 {
   choose(*work.draw, work.choices);
-  work.cMo = cMo;
+  // From where the draw itself leads: seen from the pose before, the edges that moved would be its outliers.
+  work.cMo = vpPoseExponential::exp(toCamera * work.draw->motion).inverse() * cMo;
   work.found =
       work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
       work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
@@ -238,9 +240,9 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
 {
   Impl &impl = *m_impl;
   const double diameter = view.model().diameter();
-  const vpPoseMatrix6 toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions *
+  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions *
                              vpMotionFrame::scale(diameter).asDiagonal();
-  impl.classes.compute(edges, view, cMo, toCamera, impl.settings.lambda);
+  impl.classes.compute(edges, view, cMo, impl.toCamera, impl.settings.lambda);
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
   impl.draws.compute(impl.classes, prior, impl.settings.draws, impl.settings.seed, stream);
   impl.select(limit > 0 ? limit : impl.settings.minimisations);
