@@ -111,6 +111,11 @@ int main(int argc, const char *argv[])
     vpEdgeCueSettings edge = ours.getEdgeSettings();
     edge.candidates = options.candidates;
     ours.setEdgeSettings(edge);
+    vpPoseHypothesisSettings hypotheses = ours.getPoseHypothesisSettings();
+    hypotheses.enabled = options.hypotheses;
+    ours.setPoseHypothesisSettings(hypotheses);
+    double minimisations = 0.;
+    double frames = 0.;
     std::cout << ours.getModelReport();
     if (!options.writeMesh.empty()) {
       writeModelAsObj(*ours.getModel(), options.writeMesh);
@@ -123,7 +128,9 @@ int main(int argc, const char *argv[])
     compareReport report(std::cout);
     for (int i = 0; i < options.repeat; ++i) {
       const compareRun theirs = run(visp, judge, options, [](vpMbGenericTracker &) { return true; });
-      const compareRun mine = run(ours, judge, options, [](vpMbMultiCueTracker &tracker) {
+      const compareRun mine = run(ours, judge, options, [&](vpMbMultiCueTracker &tracker) {
+        minimisations += tracker.getNbPoseMinimisations();
+        ++frames;
         return tracker.getTrackingState() == vpTrackingState::TRACKING;
       });
       report.add("visp-edge", theirs);
@@ -133,6 +140,9 @@ int main(int argc, const char *argv[])
       }
     }
     report.print(!options.truth.empty());
+    if (options.hypotheses) {
+      std::cout << "minimisations per frame, mean: " << minimisations / frames << std::endl;
+    }
   } catch (const std::exception &e) {
     std::cerr << e.what() << std::endl;
     return 1;

@@ -114,6 +114,13 @@ vpHomogeneousMatrix poseAt(int frame)
   return vpHomogeneousMatrix(0.02, -0.01, 0.6, 0.9, 0.5, -0.2) * vpExponentialMap::direct(motion);
 }
 
+void proposeSeveralPoses(vpMbMultiCueTracker &tracker, bool flag)
+{
+  vpPoseHypothesisSettings settings;
+  settings.enabled = flag;
+  tracker.setPoseHypothesisSettings(settings);
+}
+
 // Tracks 25 frames; calls check(cMo, truth) after each.
 template <typename Check> void follow(vpMbMultiCueTracker &tracker, const Check &check)
 {
@@ -136,10 +143,13 @@ Eigen::Vector3d axisOf(const vpHomogeneousMatrix &cMo)
 }
 } // namespace
 
-TEST_CASE("A mesh without edges is tracked by its rims", "[tracker]")
+TEST_CASE("A mesh without edges is tracked by its rims, with one pose hypothesis and with several", "[tracker]")
 {
+  const bool several = GENERATE(false, true);
+  CAPTURE(several);
   vpMbMultiCueTracker tracker;
   tracker.setCameraParameters(camera());
+  proposeSeveralPoses(tracker, several);
   tracker.loadModel(writeStl(makeLump(), meshFiles::temporaryFile("lump.stl")));
   REQUIRE(tracker.getModelReport().edges == 0);
   follow(tracker, [](const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &truth) {
@@ -150,6 +160,8 @@ TEST_CASE("A mesh without edges is tracked by its rims", "[tracker]")
 
 TEST_CASE("A cylinder of a .cao file is tracked by limbs and circles, and does not spin", "[tracker]")
 {
+  const bool several = GENERATE(false, true);
+  CAPTURE(several);
   const std::string name = meshFiles::temporaryFile("can.cao");
   std::ofstream file(name);
   file << "V1\n6\n0 0 -0.06\n0 0 0.06\n0.04 0 0.06\n0 0.04 0.06\n0.04 0 -0.06\n0 0.04 -0.06\n"
@@ -157,6 +169,7 @@ TEST_CASE("A cylinder of a .cao file is tracked by limbs and circles, and does n
   file.close();
   vpMbMultiCueTracker tracker;
   tracker.setCameraParameters(camera());
+  proposeSeveralPoses(tracker, several);
   tracker.loadModel(name);
   REQUIRE(tracker.getModelReport().cylinders == 1);
   REQUIRE(tracker.getModelReport().circles == 2);

@@ -49,6 +49,7 @@ struct compareOptions
   int repeat = 1;
   unsigned int candidates = 3;
   double oldScaleThreshold = 0.;
+  bool hypotheses = false;
   bool scanline = false;
 
   //! \return False where help was asked for and given.
@@ -71,6 +72,7 @@ struct compareOptions
         {"--repeat", [this](std::istringstream &s) { s >> repeat; }},
         {"--candidates", [this](std::istringstream &s) { s >> candidates; }},
         {"--old-threshold", [this](std::istringstream &s) { s >> oldScaleThreshold; }},
+        {"--hypotheses", [this](std::istringstream &s) { s >> hypotheses; }},
         {"--scanline", [this](std::istringstream &s) { s >> scanline; }},
     };
     for (int i = 1; i < argc; i += 2) {
@@ -156,6 +158,7 @@ private:
     std::cout << "\n  --images and --truth are printf patterns (or a video), --part is \"FILE and the 12 numbers of "
                  "its pose\",\n"
                  "  --init-points is \"u v X Y Z\" repeated, --mesh is what our tracker loads in place of --model,\n"
+                 "  --hypotheses 1 switches pose hypotheses on and counts minimisations,\n"
                  "  --write-mesh where the surface of the model is written as .obj.\n";
   }
 };

@@ -23,6 +23,9 @@ const int fewestMembers = 3;
 const double turnPerOrder = 0.7; // Radians.
 const int pointsPerCoefficient = 3;
 
+// Residues that differ by less are the same but for rounding.
+const double sameResidue = 1e-3; // Pixels.
+
 void require(bool ok, const char *member, double value, const char *range)
 {
   if (!ok) {
@@ -312,7 +315,7 @@ void vpEdgeClustering::drawWeights(double lambda, std::vector<double> &weights) 
     most = std::max(most, c.residue);
   }
   for (const Class &c : m_classes) {
-    const double share = most > least ? (c.residue - least) / (most - least) : 0.;
+    const double share = most - least > sameResidue ? (c.residue - least) / (most - least) : 0.;
     weights.push_back(std::exp(-lambda * share * share));
   }
 }

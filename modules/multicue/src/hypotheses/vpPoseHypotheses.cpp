@@ -18,6 +18,10 @@ namespace {
 // after it starts close to its end.
 const unsigned int chosenIterations = 6;
 const unsigned int nearestIterations = 4;
+// A pose that moved its control points by more than this many search ranges has diverged.
+const double maxMotion = 2.;
+// What an edge's place is uncertain by, its model and its noise together.
+const double edgeNoise = 1.; // Pixels.
 // Share of the control points that contours with a potential edge must have to tell a pose alone.
 const double leastDrawn = 0.5;
 } // namespace
@@ -36,21 +40,42 @@ public:
     bool found = false;
   };
 
-  void select();
+  // A pose that is not another one's double.
+  struct Kept
+  {
+    vpHomogeneousMatrix cMo;
+    const std::vector<int> *classes = nullptr;
+    double residue = 0.;
+    double motion = 0.; // Mean of the control points since the start, in search ranges.
+    double cost = 0.;   // Negative logarithm of the probability.
+
+    // A contour tells as much as one control point does: its points are wrong together.
+    void setError(double error, std::size_t contours)
+    {
+      residue = std::sqrt(error);
+      cost = static_cast<double>(contours) * error / (edgeNoise * edgeNoise) + 0.5 * motion * motion;
+    }
+  };
+
+  void select(unsigned int limit);
   void choose(const vpClassDraw::Draw &draw, std::vector<int> &choices) const;
   void minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo);
   void run(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo, Work &work) const;
   void merge(const vpEdgeCue &edges, const vpModelView &view);
+  void rank();
   void record(const vpEdgeCue &edges);
 
   vpPoseHypothesisSettings settings;
   vpPoseMatrix6 freeMotions = vpPoseMatrix6::Identity();
+  vpPoseMatrix6 toCamera; // From a draw's motion to the camera's velocity.
   vpContourClasses classes;
   vpClassDraw draws;
   std::vector<std::size_t> order;
   std::vector<Work> works; // Memory; the first `minimised` are in use.
   std::size_t minimised = 0;
+  std::vector<Kept> kept; // Of each of found, in the same order.
   std::vector<vpPoseHypothesis> found;
+  vpPoseSolver solver;
   std::vector<Contour> contours;
   std::vector<vpControlPoint> points; // Of the matches, for lines().
 };
@@ -81,7 +106,7 @@ void vpPoseHypotheses::setEstimatedMotions(const vpMatrix &oJo)
 }
 
 // The draws to minimise: the most coherent ones, of those that lead to the same motion the first.
-void vpPoseHypotheses::Impl::select()
+void vpPoseHypotheses::Impl::select(unsigned int limit)
 {
   order.resize(draws.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -101,7 +126,7 @@ void vpPoseHypotheses::Impl::select()
       works.emplace_back();
     }
     works[minimised++].draw = &draw;
-    if (minimised == settings.minimisations) {
+    if (minimised == limit) {
       break;
     }
   }
@@ -131,7 +156,8 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
                                  Work &work) const
 {
   choose(*work.draw, work.choices);
-  work.cMo = cMo;
+  // From where the draw itself leads: seen from the pose before, the edges that moved would be its outliers.
+  work.cMo = vpPoseExponential::exp(toCamera * work.draw->motion).inverse() * cMo;
   work.found =
       work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
       work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
@@ -155,38 +181,41 @@ void vpPoseHypotheses::Impl::minimise(const vpEdgeCue &edges, double diameter, c
 
 void vpPoseHypotheses::Impl::merge(const vpEdgeCue &edges, const vpModelView &view)
 {
-  found.clear();
-  std::vector<double> costs;
-  const double range = edges.settings().range;
-  const double measured = static_cast<double>(classes.contours().size());
+  kept.clear();
   for (std::size_t i = 0; i < minimised; ++i) {
     const Work &work = works[i];
-    if (!work.found) {
+    const double motion = vpControlPointMotion::mean(view, work.cMo, edges.camera()) / edges.settings().range;
+    if (!work.found || motion > maxMotion) {
       continue;
     }
-    const double motion = vpControlPointMotion::mean(view, work.cMo, edges.camera()) / range;
-    const double cost = measured * work.error + 0.5 * motion * motion;
-    vpPoseHypothesis hypothesis;
-    hypothesis.cMo = work.cMo;
-    hypothesis.residue = std::sqrt(work.error);
-    hypothesis.weight = -cost;
-    hypothesis.classes = work.draw->classes;
-    const auto same = std::find_if(found.begin(), found.end(), [&](const vpPoseHypothesis &other) {
-      return vpControlPointMotion::between(view, work.cMo, other.cMo, edges.camera()) < settings.mergeTolerance;
+    Kept pose;
+    pose.cMo = work.cMo;
+    pose.classes = &work.draw->classes;
+    pose.motion = motion;
+    pose.setError(work.error, classes.contours().size());
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const Kept &other) {
+      return vpControlPointMotion::between(view, pose.cMo, other.cMo, edges.camera()) < settings.mergeTolerance;
     });
-    if (same == found.end()) {
-      found.push_back(hypothesis);
-    } else if (hypothesis.weight > same->weight) {
-      *same = hypothesis;
+    if (same == kept.end()) {
+      kept.push_back(pose);
+    } else if (pose.cost < same->cost) {
+      *same = pose;
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const vpPoseHypothesis &a, const vpPoseHypothesis &b) { return a.weight > b.weight; });
+  rank();
+}
+
+void vpPoseHypotheses::Impl::rank()
+{
+  std::stable_sort(kept.begin(), kept.end(), [](const Kept &a, const Kept &b) { return a.cost < b.cost; });
+  found.resize(kept.size());
   double sum = 0.;
-  const double best = found.empty() ? 0. : found.front().weight;
-  for (vpPoseHypothesis &hypothesis : found) {
-    hypothesis.weight = std::exp(hypothesis.weight - best);
-    sum += hypothesis.weight;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    found[i].cMo = kept[i].cMo;
+    found[i].residue = kept[i].residue;
+    found[i].classes = *kept[i].classes;
+    found[i].weight = std::exp(kept.front().cost - kept[i].cost);
+    sum += found[i].weight;
   }
   for (vpPoseHypothesis &hypothesis : found) {
     hypothesis.weight /= sum;
@@ -206,20 +235,37 @@ void vpPoseHypotheses::Impl::record(const vpEdgeCue &edges)
 }
 
 const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edges, const vpModelView &view,
-                                                            const vpHomogeneousMatrix &cMo, std::uint64_t stream)
+                                                            const vpHomogeneousMatrix &cMo, std::uint64_t stream,
+                                                            unsigned int limit)
 {
   Impl &impl = *m_impl;
   const double diameter = view.model().diameter();
-  const vpPoseMatrix6 toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions *
+  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions *
                              vpMotionFrame::scale(diameter).asDiagonal();
-  impl.classes.compute(edges, view, cMo, toCamera, impl.settings.lambda);
+  impl.classes.compute(edges, view, cMo, impl.toCamera, impl.settings.lambda);
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
   impl.draws.compute(impl.classes, prior, impl.settings.draws, impl.settings.seed, stream);
-  impl.select();
+  impl.select(limit > 0 ? limit : impl.settings.minimisations);
   impl.minimise(edges, diameter, cMo);
   impl.merge(edges, view);
   impl.record(edges);
   return impl.found;
+}
+
+void vpPoseHypotheses::refine(std::size_t index, const vpEdgeCue &edges, double diameter)
+{
+  Impl::Kept &kept = m_impl->kept.at(index);
+  vpHomogeneousMatrix cMo = kept.cMo;
+  if (m_impl->solver.minimise(edges, nullptr, m_impl->freeMotions, diameter, cMo, nearestIterations)) {
+    kept.cMo = cMo;
+    m_impl->found[index].cMo = cMo;
+  }
+  kept.setError(m_impl->solver.error(edges, kept.cMo, cutoff), m_impl->contours.size());
+}
+
+void vpPoseHypotheses::rank()
+{
+  m_impl->rank();
 }
 
 const std::vector<vpPoseHypothesis> &vpPoseHypotheses::hypotheses() const
@@ -255,6 +301,7 @@ std::vector<vpPoseHypotheses::Line> vpPoseHypotheses::lines() const
 void vpPoseHypotheses::clear()
 {
   m_impl->found.clear();
+  m_impl->kept.clear();
   m_impl->contours.clear();
   m_impl->points.clear();
   m_impl->draws.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "hypotheses/vpControlPointMotion.h"
 #include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
@@ -28,25 +29,6 @@ const double goodWeight = 0.1;
 bool isFinite(const vpHomogeneousMatrix &cMo)
 {
   return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); });
-}
-
-// Mean motion of the view's control points between its pose and another one, pixels; infinite where one gets behind the
-// camera.
-double meanMotion(const vpModelView &view, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
-{
-  double sum = 0.;
-  for (const vpControlPoint &point : view.points()) {
-    const Eigen::Vector3d &X = point.position;
-    const double x = cMo[0][0] * X.x() + cMo[0][1] * X.y() + cMo[0][2] * X.z() + cMo[0][3];
-    const double y = cMo[1][0] * X.x() + cMo[1][1] * X.y() + cMo[1][2] * X.z() + cMo[1][3];
-    const double z = cMo[2][0] * X.x() + cMo[2][1] * X.y() + cMo[2][2] * X.z() + cMo[2][3];
-    if (!(z > 0.)) {
-      return HUGE_VAL;
-    }
-    sum += std::hypot(cam.get_px() * x / z + cam.get_u0() - point.pixel.x(),
-                      cam.get_py() * y / z + cam.get_v0() - point.pixel.y());
-  }
-  return view.points().empty() ? 0. : sum / static_cast<double>(view.points().size());
 }
 
 void requireRigid(const vpHomogeneousMatrix &cMo)
@@ -211,11 +193,11 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
 }
 
-void vpMbMultiCueTracker::matchFrame(const vpCueFrame &frame)
+void vpMbMultiCueTracker::match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
 {
   {
     const vpStopwatch stage(m_impl->timings.view);
-    m_impl->view->compute(m_cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
+    m_impl->view->compute(cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
   }
   const vpStopwatch stage(m_impl->timings.match);
   m_impl->edges.match(frame, *m_impl->view);
@@ -224,15 +206,16 @@ void vpMbMultiCueTracker::matchFrame(const vpCueFrame &frame)
 bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
 {
   const double limit = maxMotion * m_impl->edges.settings().range;
+  bool matched = m_impl->hypotheses.settings().enabled && proposePose(frame);
   for (unsigned int i = 0; i < maxMatches; ++i) {
-    matchFrame(frame);
-    if (i == 0 && m_impl->hypotheses.settings().enabled) {
-      proposePose();
+    if (!matched) {
+      match(frame, m_cMo);
     }
+    matched = false;
     if (!computeVVS() || !isFinite(m_cMo)) {
       return false;
     }
-    const double motion = meanMotion(*m_impl->view, m_cMo, frame.camera());
+    const double motion = vpControlPointMotion::mean(*m_impl->view, m_cMo, frame.camera());
     if (motion > limit) {
       return false;
     }

@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "hypotheses/vpControlPointMotion.h"
 #include "tracker/vpDistortedPoint.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpDisplay.h>
+
+#include <algorithm>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
 // Gray of the least likely potential edge; the most likely one is black.
 const double lightest = 200.;
+
+// Hypotheses with less weight than this are not looked at again, nor more of them than these.
+const double leastWeight = 0.02;
+const std::size_t maxFinalists = 3;
+// A match serves poses that move its control points by less than this.
+const double nearMotion = 1.5; // Pixels.
+// With a residue below this the image is explained; a tenth of the control points may be without support.
+const double explained = 0.8; // Pixels.
+const std::uint64_t maxRounds = 3;
 
 vpColor colorOf(std::size_t hypothesis)
 {
@@ -49,15 +61,58 @@ void vpMbMultiCueTracker::setDisplayHypotheses(bool flag)
   m_impl->displayHypotheses = flag;
 }
 
-void vpMbMultiCueTracker::proposePose()
+// From the pose before, and again from the best one while that has moved and the image is not explained yet.
+// \return True where the last match serves m_cMo.
+bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
+  const unsigned int most = impl.hypotheses.settings().minimisations;
   impl.hypotheses.setEstimatedMotions(oJo);
-  const std::vector<vpPoseHypothesis> &found = impl.hypotheses.find(impl.edges, *impl.view, m_cMo, impl.frames);
-  impl.minimisations += impl.hypotheses.minimisations();
-  if (!found.empty()) {
-    m_cMo = found.front().cMo;
+  bool matched = false;
+  unsigned int left = most;
+  for (std::uint64_t round = 0; round < maxRounds && left > 0; ++round) {
+    if (!matched) {
+      match(frame, m_cMo);
+    }
+    const vpHomogeneousMatrix cMoBefore = m_cMo;
+    impl.hypotheses.find(impl.edges, *impl.view, m_cMo, maxRounds * impl.frames + round,
+                         std::min((most + 1) / 2, left));
+    if (impl.hypotheses.hypotheses().empty()) {
+      return true;
+    }
+    impl.minimisations += impl.hypotheses.minimisations();
+    left -= impl.hypotheses.minimisations();
+    matched = takeBestHypothesis(frame);
+    const bool moved =
+        vpControlPointMotion::between(*impl.view, cMoBefore, m_cMo, frame.camera()) >= nearMotion;
+    if (!moved || impl.hypotheses.hypotheses().front().residue < explained) {
+      break;
+    }
   }
+  return matched;
+}
+
+// Poses that are about as likely are compared at a match of their own. \return As proposePose().
+bool vpMbMultiCueTracker::takeBestHypothesis(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const std::vector<vpPoseHypothesis> &found = impl.hypotheses.hypotheses();
+  std::size_t finalists = 1;
+  while (finalists < std::min(found.size(), maxFinalists) && found[finalists].weight > leastWeight) {
+    ++finalists;
+  }
+  if (finalists == 1) {
+    m_cMo = found.front().cMo;
+    return vpControlPointMotion::mean(*impl.view, m_cMo, frame.camera()) < nearMotion;
+  }
+  for (std::size_t i = finalists; i > 0; --i) { // The likeliest last: its match can stay.
+    match(frame, found[i - 1].cMo);
+    impl.hypotheses.refine(i - 1, impl.edges, impl.model->diameter());
+  }
+  const vpHomogeneousMatrix last = found.front().cMo;
+  impl.hypotheses.rank();
+  m_cMo = found.front().cMo;
+  return std::equal(last.data, last.data + 16, m_cMo.data);
 }
 
 template <typename Pixel>

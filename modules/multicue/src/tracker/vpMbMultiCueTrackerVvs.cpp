@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "hypotheses/vpMotionFrame.h"
 #include "tracker/vpMbTrackerNames.h"
 #include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
@@ -20,15 +21,6 @@ namespace {
 const unsigned int minRows = 4;
 // An iteration that moves no control point by more than this has converged.
 const double convergedMotion = 0.005; // Pixels.
-// Degrees of freedom with less information than this share of the best known one are not estimated.
-const double leastInformation = 1e-8;
-
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-Matrix6 toEigen6(const vpMatrix &M)
-{
-  return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(M.data);
-}
 } // namespace
 
 void vpMbMultiCueTracker::computeVVSInit()
@@ -62,30 +54,26 @@ bool vpMbMultiCueTracker::restrictToObserved()
   // Limbs and circles leave motions that nothing in the image shows: those are kept out of the estimation, in the
   // object's frame as the degrees of freedom that the user chose. Rotations count at the object's radius, so that units
   // do not matter.
-  vpVelocityTwistMatrix cVo;
-  cVo.buildFrom(m_cMo);
-  const Matrix6 V = toEigen6(cVo);
-  Eigen::Matrix<double, 6, 1> scale;
-  scale << 1., 1., 1., 2. / m_impl->model->diameter(), 2. / m_impl->model->diameter(), 2. / m_impl->model->diameter();
-  const Matrix6 S = (V * scale.asDiagonal()).eval();
-  Matrix6 information = Matrix6::Zero();
+  const vpPoseTangent scale = vpMotionFrame::scale(m_impl->model->diameter());
+  const vpPoseMatrix6 S = vpPoseExponential::adjoint(m_cMo) * scale.asDiagonal();
+  vpPoseMatrix6 information = vpPoseMatrix6::Zero();
   for (const vpResidual &row : m_impl->block.rows) {
-    const Eigen::Matrix<double, 6, 1> j = S.transpose() * row.jacobian;
+    const vpPoseTangent j = S.transpose() * row.jacobian;
     information.noalias() += j * j.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(information);
-  const double least = leastInformation * solver.eigenvalues()(5);
+  const Eigen::SelfAdjointEigenSolver<vpPoseMatrix6> solver(information);
+  const double least = vpMotionFrame::leastInformation * solver.eigenvalues()(5);
   if (solver.eigenvalues()(0) > least) {
     return false;
   }
-  Matrix6 seen = Matrix6::Zero();
+  vpPoseMatrix6 seen = vpPoseMatrix6::Zero();
   for (int i = 0; i < 6; ++i) {
     if (solver.eigenvalues()(i) > least) {
       seen += solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
     }
   }
-  const Matrix6 projector = scale.asDiagonal() * seen * scale.cwiseInverse().asDiagonal();
-  const Matrix6 chosen = toEigen6(oJo);
+  const vpPoseMatrix6 projector = scale.asDiagonal() * seen * scale.cwiseInverse().asDiagonal();
+  const vpPoseMatrix6 chosen = vpMotionFrame::toEigen(oJo);
   const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> both = projector * chosen;
   std::copy(both.data(), both.data() + 36, oJo.data);
   return true;

@@ -212,9 +212,10 @@ private:
   bool computeVVS();
   void computeStep(unsigned int iteration, bool allDegreesOfFreedom);
   bool restrictToObserved();
-  void matchFrame(const vpCueFrame &frame);
   bool estimate(const vpCueFrame &frame);
-  void proposePose();
+  void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  bool proposePose(const vpCueFrame &frame);
+  bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
   const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);

@@ -94,11 +94,21 @@ public:
     \param view Control points at \e cMo.
     \param cMo Pose to start from.
     \param stream What the draws are for, such as the number of the frame: another number, other draws.
+    \param limit Largest number of minimisations; 0: that of the settings.
     \return The poses, best first; good until the next call.
   */
   const std::vector<vpPoseHypothesis> &find(const vpEdgeCue &edges, const vpModelView &view,
-                                            const vpHomogeneousMatrix &cMo, std::uint64_t stream);
+                                            const vpHomogeneousMatrix &cMo, std::uint64_t stream,
+                                            unsigned int limit = 0);
 
+  /*!
+    Minimises one of the poses once more, with the nearest candidates of a match at this very pose, and takes its residue
+    from there: this tells poses apart that the first match, at the pose before, does not.
+    \param index Of hypotheses(). \param edges Matched at its pose. \param diameter Of the object, metres.
+  */
+  void refine(std::size_t index, const vpEdgeCue &edges, double diameter);
+  //! Brings hypotheses() back into order after refine().
+  void rank();
   //! Forgets the last find().
   void clear();
   //! The poses of the last find().
