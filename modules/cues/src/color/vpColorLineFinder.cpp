@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "color/vpColorLineFinder.h"
 
+#include "color/vpLinePixels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -23,37 +25,36 @@ std::uint32_t toNumber(unsigned char pixel)
 
 template <typename Pixel> void readLine(const vpImage<Pixel> &I, const vpColorCue::Line &line, std::uint32_t *pixels)
 {
-  const std::size_t stride = I.getWidth();
+  const std::ptrdiff_t stride = I.getWidth();
+  const vpLinePixels places(line);
   for (int k = line.first; k <= line.last; ++k) {
-    const std::size_t u = static_cast<std::size_t>(line.pixel.x() + k * line.normal.x() + 0.5);
-    const std::size_t v = static_cast<std::size_t>(line.pixel.y() + k * line.normal.y() + 0.5);
-    pixels[k] = toNumber(I.bitmap[v * stride + u]);
+    pixels[k] = toNumber(I.bitmap[places.v(k) * stride + places.u(k)]);
   }
 }
 } // namespace
 
-vpColorLineFinder::vpColorLineFinder(vpColorCue &cue, const vpCueFrame &frame)
-    : m_cue(cue), m_frame(frame), m_bars(cue.m_bars)
+vpColorLineFinder::vpColorLineFinder(vpColorCue &cue, const vpCueFrame &frame) : m_cue(cue), m_frame(frame), m_bars(cue)
 {
 }
 
 // Every so many silhouette points of a contour, so that the lines are spread evenly.
 void vpColorLineFinder::choose(const vpModelView &view)
 {
-  double length = 0.;
+  double total = 0.;
   for (const vpControlPoint &point : view.points()) {
     const bool isRim = point.kind == vpEdgeKind::SILHOUETTE;
-    length += isRim ? view.contours()[static_cast<std::size_t>(point.contour)].step : 0.;
+    total += isRim ? view.contours()[static_cast<std::size_t>(point.contour)].step : 0.;
   }
-  const double spacing = std::max(m_cue.m_settings.spacing, length / m_cue.m_settings.lines);
+  const double spacing = std::max(m_cue.m_settings.spacing, total / m_cue.m_settings.lines);
   for (const vpContour &contour : view.contours()) {
-    const int step = std::max(1, static_cast<int>(std::ceil(spacing / contour.step - 0.01)));
-    const double half = 0.5 * step * contour.step + std::min(1., 0.25 * step * contour.step);
-    bool isNext = false;
-    for (int i = std::min(step, contour.count) / 2; i < contour.count; i += step) {
+    const int count =
+        std::max(1, std::min(contour.count, static_cast<int>(contour.count * contour.step / spacing + 0.01)));
+    const double length = contour.count * contour.step / count;
+    const double half = 0.5 * length + std::min(1., 0.25 * length);
+    for (int k = 0; k < count; ++k) {
+      const int i = (2 * k + 1) * contour.count / (2 * count);
       const vpControlPoint &point = view.points()[static_cast<std::size_t>(contour.first + i)];
       if (point.kind != vpEdgeKind::SILHOUETTE) {
-        isNext = false;
         continue;
       }
       m_bars.add(point.pixel, point.normal, half);
@@ -62,8 +63,6 @@ void vpColorLineFinder::choose(const vpModelView &view)
       line.position = point.position;
       line.pixel = point.pixel;
       line.normal = point.normal;
-      line.neighbour = isNext ? 1 : 0;
-      isNext = true;
     }
   }
 }
@@ -91,10 +90,8 @@ bool vpColorLineFinder::clipToImage(vpColorCue::Line &line) const
 
 void vpColorLineFinder::clipToMask(vpColorCue::Line &line) const
 {
-  const auto isMasked = [&](int k) {
-    const Eigen::Vector2d pixel = line.pixel + k * line.normal;
-    return m_frame.isMasked(std::floor(pixel.x() + 0.5), std::floor(pixel.y() + 0.5));
-  };
+  const vpLinePixels places(line);
+  const auto isMasked = [&](int k) { return m_frame.isMasked(places.u(k), places.v(k)); };
   // Without a mask only what the lens did not see is hidden, and that is outside: the ends tell.
   if (!m_frame.hasMask() && !isMasked(line.first) && !isMasked(line.last)) {
     return;
@@ -132,14 +129,11 @@ void vpColorLineFinder::find(const vpModelView &view, int least)
   std::vector<vpColorCue::Line> &lines = m_cue.m_lines;
   lines.clear();
   choose(view);
+  m_bars.enclose();
   std::size_t kept = 0;
-  bool isLastKept = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     vpColorCue::Line line = lines[i];
-    const bool isKept = fit(line, least);
-    line.neighbour = isLastKept ? line.neighbour : 0;
-    isLastKept = isKept;
-    if (isKept) {
+    if (fit(line, least)) {
       lines[kept++] = line;
     }
   }

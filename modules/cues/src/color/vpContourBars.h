@@ -2,15 +2,10 @@
 #ifndef vpContourBars_h
 #define vpContourBars_h
 
-#include <visp3/se3/vpCompatibility.h>
-
-#include <Eigen/Core>
+#include <visp3/cues/vpColorCue.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 BEGIN_VISP_NAMESPACE
 
@@ -18,27 +13,45 @@ BEGIN_VISP_NAMESPACE
   The silhouette as short straight bars, one for each line's point: what a line meets of it is where the object begins
   again (outwards) or ends (inwards).
 
-  All lines are tried with all bars, several bars at once: for some hundred of them that takes less time than to sort
-  them by place.
+  Neighbours on a contour are in one block of several, which are tried at once, and most blocks are seen to be out of
+  the way before that.
 */
 class vpContourBars
 {
+  using Block = vpColorCue::BarBlock;
+  using Lanes = Block::Lanes;
+
 public:
-  //! \param memory Scratch.
-  explicit vpContourBars(std::vector<float> &memory) : m_memory(memory) { m_memory.clear(); }
+  //! \param cue Whose scratch memory is used.
+  explicit vpContourBars(vpColorCue &cue) : m_blocks(cue.m_bars) { m_blocks.clear(); }
 
   //! \param half Half of the bar's length, pixels.
   void add(const Eigen::Vector2d &centre, const Eigen::Vector2d &normal, double half)
   {
-    const std::size_t lane = m_count % lanes;
-    if (lane == 0) {
-      m_memory.resize(m_memory.size() + sizeof(Block) / sizeof(float), -1.F); // Bars of negative length are never met.
+    if (m_blocks.empty() || m_blocks.back().count == lanes) {
+      m_blocks.emplace_back();
+      m_blocks.back().half.fill(-1.F); // Bars of negative length are never met.
     }
-    ++m_count;
-    float *block = m_memory.data() + m_memory.size() - sizeof(Block) / sizeof(float) + lane;
-    const std::array<double, 5> values = {{centre.x(), centre.y(), -normal.y(), normal.x(), half}};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      block[i * lanes] = static_cast<float>(values[i]);
+    Block &block = m_blocks.back();
+    const std::size_t lane = block.count++;
+    block.x[lane] = static_cast<float>(centre.x());
+    block.y[lane] = static_cast<float>(centre.y());
+    block.tangentX[lane] = static_cast<float>(-normal.y());
+    block.tangentY[lane] = static_cast<float>(normal.x());
+    block.half[lane] = static_cast<float>(half);
+  }
+
+  //! To be called once all bars are there.
+  void enclose()
+  {
+    for (Block &block : m_blocks) {
+      block.middleX = 0.5F * (block.x[0] + block.x[block.count - 1]);
+      block.middleY = 0.5F * (block.y[0] + block.y[block.count - 1]);
+      block.radius = 0.F;
+      for (std::size_t i = 0; i < block.count; ++i) {
+        const float away = std::hypot(block.x[i] - block.middleX, block.y[i] - block.middleY);
+        block.radius = std::max(block.radius, away + block.half[i]);
+      }
     }
   }
 
@@ -58,33 +71,42 @@ public:
     const float y = static_cast<float>(point.y());
     const float nx = static_cast<float>(normal.x());
     const float ny = static_cast<float>(normal.y());
-    for (std::size_t at = 0; at < m_memory.size(); at += sizeof(Block) / sizeof(float)) {
-      const float *bars = m_memory.data() + at;
-      for (std::size_t i = 0; i < lanes; ++i) {
-        // point + t normal = centre + r tangent
-        const float dx = bars[i] - x;
-        const float dy = bars[lanes + i] - y;
-        const float tx = bars[2 * lanes + i];
-        const float ty = bars[3 * lanes + i];
-        const float cross = nx * ty - ny * tx;
-        const float t = (dx * ty - dy * tx) / cross;
-        const bool isMet = std::fabs(nx * dy - ny * dx) <= bars[4 * lanes + i] * std::fabs(cross);
-        ahead[i] = isMet & (t > nearest) & (t < ahead[i]) ? t : ahead[i];
-        behind[i] = isMet & (t < -nearest) & (t > behind[i]) ? t : behind[i];
+    for (const Block &block : m_blocks) {
+      const float dx = block.middleX - x;
+      const float dy = block.middleY - y;
+      const float along = std::fabs(dx * nx + dy * ny);
+      const float beside = std::fabs(nx * dy - ny * dx);
+      if (beside <= block.radius && along <= reach + block.radius) {
+        meet(block, {x, y, nx, ny}, behind, ahead);
       }
     }
     return {*std::max_element(behind.begin(), behind.end()), *std::min_element(ahead.begin(), ahead.end())};
   }
 
 private:
-  static constexpr std::size_t lanes = 8;
+  static constexpr std::size_t lanes = Block::lanes;
   // A line's own bar, and those beside it on a bent contour, are this close.
   static constexpr float nearest = 1.5F;
-  using Lanes = std::array<float, lanes>;
-  using Block = std::array<Lanes, 5>; // Centre, tangent, half length.
+  struct Ray
+  {
+    float x, y, nx, ny;
+  };
 
-  std::vector<float> &m_memory;
-  std::size_t m_count = 0;
+  static void meet(const Block &block, const Ray &ray, Lanes &behind, Lanes &ahead)
+  {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      // ray + t normal = centre + r tangent
+      const float dx = block.x[i] - ray.x;
+      const float dy = block.y[i] - ray.y;
+      const float cross = ray.nx * block.tangentY[i] - ray.ny * block.tangentX[i];
+      const float t = (dx * block.tangentY[i] - dy * block.tangentX[i]) / cross;
+      const bool isMet = std::fabs(ray.nx * dy - ray.ny * dx) <= block.half[i] * std::fabs(cross);
+      ahead[i] = isMet && t > nearest && t < ahead[i] ? t : ahead[i];
+      behind[i] = isMet && t < -nearest && t > behind[i] ? t : behind[i];
+    }
+  }
+
+  std::vector<Block> &m_blocks;
 };
 
 END_VISP_NAMESPACE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "color/vpFineMatch.h"
 
+#include "color/vpLinePixels.h"
 #include "color/vpMembership.h"
 
 #include <cmath>
@@ -35,11 +36,20 @@ template <int N> typename vpFineMatch<N>::Sides vpFineMatch<N>::sidesOf(std::siz
   sides.backgroundSpread.diagonal().array() += noise;
   vpColorMemory::Means before;
   if (settings.alpha < 1. && m_cue.m_memory.find(line.position, before)) {
-    const float alpha = static_cast<float>(settings.alpha);
-    sides.object = alpha * sides.object + (1.F - alpha) * before.object.template head<N>();
-    sides.background = alpha * sides.background + (1.F - alpha) * before.background.template head<N>();
+    blend(before.object.template head<N>(), sides.objectSpread, sides.object);
+    blend(before.background.template head<N>(), sides.backgroundSpread, sides.background);
   }
   return sides;
+}
+
+// The temporal consistency of [P14] III-B; but colours that are nothing like those seen now, because the light or the
+// background changed, do not count.
+template <int N> void vpFineMatch<N>::blend(const Vector &before, const Matrix &spread, Vector &mean) const
+{
+  const Vector difference = before - mean;
+  const float distance = difference.dot(spread.inverse() * difference) / N;
+  const float share = static_cast<float>(1. - m_cue.m_settings.alpha) * std::exp(-0.5F * distance);
+  mean += share * difference;
 }
 
 template <int N> void vpFineMatch<N>::addSample(double t, double a, const Vector &color, const Sides &sides)
@@ -72,12 +82,12 @@ template <int N> void vpFineMatch<N>::addSamples(std::size_t index, const Sides 
   const std::uint32_t *pixels = m_cue.strip(index);
   const int reach = static_cast<int>(std::ceil(3. * m_band)) + leeway;
   const vpMembership &membership = vpMembership::table();
+  const vpLinePixels places(line);
   line.sampleFirst = static_cast<int>(m_cue.m_samples.size());
   double information = 0.;
   for (int k = std::max(-reach, line.first); k <= std::min(reach, line.last); ++k) {
     // The pixel that was read is the one nearest to the line's point at this offset; its own offset counts.
-    const Eigen::Vector2d place = line.pixel + k * line.normal;
-    const Eigen::Vector2d centre(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
+    const Eigen::Vector2d centre(places.u(k), places.v(k));
     const double t = line.normal.dot(centre - line.pixel);
     const vpMembership::Value value = membership(t / m_band);
     addSample(t, value.a, Statistics::color(pixels[k]), sides);

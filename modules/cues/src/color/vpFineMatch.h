@@ -31,6 +31,7 @@ private:
   };
 
   Sides sidesOf(std::size_t index) const;
+  void blend(const Vector &before, const Matrix &spread, Vector &mean) const;
   void addSamples(std::size_t index, const Sides &sides);
   void addSample(double t, double a, const Vector &color, const Sides &sides);
 

@@ -7,6 +7,7 @@
 #include <visp3/cues/vpColorMemory.h>
 #include <visp3/cues/vpPoseCue.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,7 +42,6 @@ public:
     Eigen::Vector2d normal;   //!< Unit outward normal there, pixels.
     int first = 0;            //!< Offset of the first pixel of the line that may be used, <= 0.
     int last = 0;             //!< Offset of the last one, >= 0.
-    int neighbour = 0;        //!< 1 where the line before it is the next one on the same contour.
     int sampleFirst = 0;      //!< Fine levels: index of its first pixel near the contour.
     int sampleCount = 0;      //!< Fine levels: their number.
     double offset = 0.;       //!< Coarse levels: where the contour seems to be, pixels.
@@ -76,6 +76,7 @@ public:
 
 private:
   friend class vpColorLineFinder;
+  friend class vpContourBars;
   friend class vpContourPosterior;
   template <int N> friend class vpFineMatch;
 
@@ -97,6 +98,16 @@ private:
   {
     std::size_t line;
     int shift; // Pixels.
+  };
+
+  // Short straight bars of the silhouette that are next to each other, all within radius of the middle.
+  struct BarBlock
+  {
+    static constexpr std::size_t lanes = 8;
+    using Lanes = std::array<float, lanes>;
+    Lanes x{}, y{}, tangentX{}, tangentY{}, half{}; // Centre, direction, half length: pixels.
+    float middleX = 0.F, middleY = 0.F, radius = 0.F;
+    std::size_t count = 0;
   };
 
   bool isCoarse() const { return m_level < m_settings.scales.size(); }
@@ -125,7 +136,7 @@ private:
   std::vector<std::uint32_t> m_pixels;
   std::vector<Sample> m_samples;
   std::vector<WhitenedColors> m_whitened; // Of the samples, where each gives rows.
-  std::vector<float> m_bars;              // Scratch of vpColorLineFinder.
+  std::vector<BarBlock> m_bars;           // Scratch of match().
   std::vector<Lesson> m_lessons;          // Scratch of updateReference().
   vpColorHistograms m_histograms;
   vpColorMemory m_memory;

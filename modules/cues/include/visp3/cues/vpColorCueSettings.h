@@ -26,10 +26,10 @@ struct VISP_EXPORT vpColorCueSettings
                                       2}; //!< Coarse levels, histograms of the whole silhouette: pixels that are
                                           //!< taken together along a line, falling, [1, 20] each; the search
                                           //!< reaches 6 times as far to both sides. At most 8, none: no such level.
-  std::vector<double> bands = {2., 1.};   //!< Fine levels, local statistics: s of the membership, pixels, falling,
+  std::vector<double> bands = {1.5, 0.8}; //!< Fine levels, local statistics: s of the membership, pixels, falling,
                                           //!< [0.5, 20] each; 1 to 8 levels.
-  double length = 10.; //!< L: the statistics' pixels are up to that far from the contour, pixels, [3, 60].
-  double alpha = 0.7;  //!< Share of the current frame's colours in I^; the rest is the last trusted one's, (0, 1].
+  double length = 6.; //!< L: the statistics' pixels are up to that far from the contour, pixels, [3, 60].
+  double alpha = 0.5; //!< Share of the current frame's colours in I^; the rest is the last trusted one's, (0, 1].
   double regularisation = 8.;    //!< Standard deviation added to each channel's, gray levels, [1, 100].
   double contourDeviation = 0.3; //!< How well the model's contour is known even where all is well, pixels, [0.05, 5].
 
