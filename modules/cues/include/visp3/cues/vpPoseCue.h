@@ -61,6 +61,12 @@ class VISP_EXPORT vpPoseCue
 public:
   virtual ~vpPoseCue() = default;
 
+  //! How many levels the cue has, coarse to fine: for each in turn, the pose is estimated from setLevel() and match()
+  //! on.
+  virtual unsigned int levels() const { return 1; }
+  //! Chooses the level of the following calls of match(). \param level 0 is the coarsest; beyond the finest: that one.
+  virtual void setLevel(unsigned int /*level*/) {}
+
   //! Finds in \e frame what \e view shows. Never throws because of what the image shows: it may find nothing.
   virtual void match(const vpCueFrame &frame, const vpModelView &view) = 0;
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "color/vpContourPosterior.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// The step's height, and its width in segments.
+const double height = 0.43;
+const double width = 1.;
+} // namespace
+
+vpContourPosterior::vpContourPosterior(const vpColorCue &cue)
+    : m_histograms(cue.m_histograms), m_scale(static_cast<int>(cue.m_settings.scales[cue.m_level])),
+      m_contourVariance(cue.m_settings.contourDeviation * cue.m_settings.contourDeviation)
+{
+  for (int i = 0; i < 2 * around; ++i) {
+    m_step[static_cast<std::size_t>(i)] = static_cast<float>(-2. * height * std::tanh((i - around + 0.5) / width));
+  }
+}
+
+// The object's probability in each segment; one half where there are no pixels that may be used.
+void vpContourPosterior::join(const std::uint32_t *pixels, const vpColorCue::Line &line, Segments &object) const
+{
+  for (int segment = -half; segment < half; ++segment) {
+    float inside = 1.F;
+    float outside = 1.F;
+    const int end = std::min((segment + 1) * m_scale, line.last + 1);
+    for (int k = std::max(segment * m_scale, line.first); k < end; ++k) {
+      const float p = m_histograms.object(pixels[k]);
+      inside *= p;
+      outside *= 1.F - p;
+    }
+    // Twenty pixels of 1e-4 would be too small for a number.
+    const float sum = inside + outside;
+    object[static_cast<std::size_t>(segment + half)] = sum > 1e-30F ? inside / sum : 0.5F;
+  }
+}
+
+void vpContourPosterior::evaluate(const std::uint32_t *pixels, vpColorCue::Line &line) const
+{
+  Segments object;
+  join(pixels, line, object);
+  double sum = 0.;
+  double first = 0.;
+  double second = 0.;
+  for (int c = -borders; c <= borders; ++c) {
+    const float *segments = object.data() + (c + borders);
+    float p = 1.F;
+    for (std::size_t i = 0; i < 2 * around; ++i) {
+      p *= 0.5F + m_step[i] * (segments[i] - 0.5F);
+    }
+    sum += static_cast<double>(p);
+    first += c * static_cast<double>(p);
+    second += c * c * static_cast<double>(p);
+  }
+  const double mean = first / sum;
+  const double variance = second / sum - mean * mean + 1. / 12.;
+  // What a line tells that tells nothing: all borders alike.
+  const double noInformation = borders * (borders + 1) / 3. + 1. / 12.;
+  // Border 0 is between the pixels at offsets -1 and 0.
+  line.offset = m_scale * mean - 0.5;
+  const double square = m_scale * m_scale;
+  const double information = 1. / (square * variance + m_contourVariance) - 1. / (square * noInformation);
+  line.scale = std::sqrt(std::max(0., information));
+}
+
+END_VISP_NAMESPACE
