@@ -6,11 +6,14 @@
 #include <visp3/core/vpImageTools.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
+std::atomic<unsigned long long> framesMade{0};
+
 bool isDistorted(const vpCameraParameters &cam)
 {
   switch (cam.get_projModel()) {
@@ -70,6 +73,7 @@ vpCueFrame vpFrameSource::prepare(unsigned int width, unsigned int height, const
   }
 
   vpCueFrame frame;
+  frame.m_number = ++framesMade;
   frame.m_mask = mask;
   frame.m_isDistorted = isDistorted(cam);
   frame.m_distortedCamera = cam;

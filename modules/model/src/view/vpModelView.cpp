@@ -91,15 +91,16 @@ void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParamete
   const vpViewCamera camera(cMo, cam, imageWidth, imageHeight);
   findFacesSeen(*m_model, camera, options, m_facesSeen);
 
-  const bool hasDepth = renderer != nullptr && !m_model->isConvex();
-  if (hasDepth) {
+  m_cMo = cMo;
+  m_hasDepth = renderer != nullptr && !m_model->isConvex();
+  if (m_hasDepth) {
     vpRenderOptions depthOptions;
     depthOptions.maxSize = options.visibilitySize;
     depthOptions.scale = 0.5;
     depthOptions.nearDistance = options.nearDistance;
     renderer->render(cMo, cam, imageWidth, imageHeight, depthOptions, m_depth);
   }
-  vpContourSampler sampler(*this, camera, options, vpDepthProbe(hasDepth ? &m_depth : nullptr));
+  vpContourSampler sampler(*this, camera, options, vpDepthProbe(depth()));
   const vpCurves curves(*m_model, *m_topology, m_facesSeen, camera, options);
   curves.addEdges(sampler);
   curves.addLimbs(sampler);

@@ -28,6 +28,9 @@ public:
   unsigned int width() const { return m_gray->getWidth(); }
   unsigned int height() const { return m_gray->getHeight(); }
 
+  //! Differs from that of every other frame of this process: for work that is done once per frame. 0: no frame.
+  unsigned long long number() const { return m_number; }
+
   bool hasMask() const { return m_mask != nullptr; }
   //! True where pixel (u, v) of this frame shows nothing that may be used: the user's mask, given for the image as it
   //! was taken, hides it, or the lens did not see it.
@@ -44,6 +47,7 @@ private:
   vpCameraParameters m_camera;
   vpCameraParameters m_distortedCamera;
   bool m_isDistorted = false;
+  unsigned long long m_number = 0;
 };
 
 END_VISP_NAMESPACE

@@ -94,6 +94,10 @@ public:
   void continueFrom(const vpModelView &other) { m_facesSeen = other.m_facesSeen; }
 
   const vpTrackedModel &model() const { return *m_model; }
+  //! The pose that was given to compute() last.
+  const vpHomogeneousMatrix &pose() const { return m_cMo; }
+  //! The depth buffer of the last compute(), at its own scale; null where it drew none.
+  const vpRenderedView *depth() const { return m_hasDepth ? &m_depth : nullptr; }
   const std::vector<vpControlPoint> &points() const { return m_points; }
   const std::vector<vpContour> &contours() const { return m_contours; }
   //! Per face of the model: 1 where it is seen, as far as its own orientation, size and place decide.
@@ -127,7 +131,9 @@ private:
 
   std::shared_ptr<const vpTrackedModel> m_model;
   std::shared_ptr<const vpModelTopology> m_topology;
+  vpHomogeneousMatrix m_cMo;
   vpRenderedView m_depth;
+  bool m_hasDepth = false;
   std::vector<vpControlPoint> m_points;
   std::vector<vpContour> m_contours;
   std::vector<char> m_facesSeen;

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "point/vpPointTracks.h"
+
+#include <Eigen/LU>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// How far points may be from where they are expected, and the window around them.
+const double areaMargin = 40.; // Pixels.
+// Areas grow by this much at once, so that two frames seldom need areas of different size.
+const int areaStep = 64; // Pixels.
+// A patch that was followed from the last frame is there; one that was expected by the pose alone is near.
+const float reachOfFlow = 2.F;        // Pixels.
+const float reachOfExpectation = 3.F; // Pixels.
+const double patchRoom = vpSurfacePatch::half + 2.;
+// Occluders pass, images are blurred: a point is looked for in so many trusted frames more.
+const int mostMisses = 3;
+const double refreshShare = 0.75;
+const int refreshAge = 10; // Trusted frames.
+// Masks are looked at once for each block when new points are chosen; a found point is always checked by itself.
+const int maskBlock = 4; // Pixels.
+
+// The rectangle around the model's projected box, empty where it cannot be seen.
+cv::Rect expectedArea(const vpModelView &view, const vpPointCamera &camera, const cv::Size &size)
+{
+  const cv::Rect whole(cv::Point(), size);
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL);
+  Eigen::Vector2d high = -low;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d &a = view.model().boxMin();
+    const Eigen::Vector3d &b = view.model().boxMax();
+    const Eigen::Vector3d cX =
+        camera.toCamera({(k & 1) != 0 ? a.x() : b.x(), (k & 2) != 0 ? a.y() : b.y(), (k & 4) != 0 ? a.z() : b.z()});
+    if (!(cX.z() > 1e-3)) {
+      return cX.z() <= 1e-3 ? whole : cv::Rect();
+    }
+    const Eigen::Vector2d pixel = camera.project(cX);
+    low = low.cwiseMin(pixel);
+    high = high.cwiseMax(pixel);
+  }
+  low = (low.array() - areaMargin).cwiseMax(0.);
+  high = (high.array() + areaMargin + 1.).min(Eigen::Array2d(size.width, size.height));
+  if (!(high.x() - low.x() > 1. && high.y() - low.y() > 1.)) {
+    return cv::Rect();
+  }
+  return cv::Rect(cv::Point(static_cast<int>(low.x()), static_cast<int>(low.y())),
+                  cv::Point(static_cast<int>(high.x()), static_cast<int>(high.y())));
+}
+
+cv::Rect placed(const cv::Size &size, const cv::Rect &around, const cv::Size &image)
+{
+  const auto start = [](int from, int length, int size, int most) {
+    return std::max(std::min(from + (length - size) / 2, most - size), 0);
+  };
+  return cv::Rect(cv::Point(start(around.x, around.width, size.width, image.width),
+                            start(around.y, around.height, size.height, image.height)),
+                  size);
+}
+
+// The size that was used before, where it is neither too small nor far too large.
+cv::Size sizeFor(const cv::Rect &needed, const cv::Rect &before, const cv::Size &image)
+{
+  if (needed.width <= before.width && needed.height <= before.height && before.area() < 3 * needed.area()) {
+    return before.size();
+  }
+  const auto rounded = [](int length) { return (length + areaStep - 1) / areaStep * areaStep; };
+  return cv::Size(std::min(rounded(needed.width), image.width), std::min(rounded(needed.height), image.height));
+}
+} // namespace
+
+void vpPointTracks::forget()
+{
+  m_tracks.clear();
+  std::fill(m_trackOf.begin(), m_trackOf.end(), -1);
+  m_reference.clear();
+  m_found = 0;
+  m_fullCount = static_cast<std::size_t>(m_settings.maxFeatures);
+  m_age = 0;
+}
+
+bool vpPointTracks::lacksPoints() const
+{
+  const double full = static_cast<double>(std::min(m_fullCount, static_cast<std::size_t>(m_settings.maxFeatures)));
+  return static_cast<double>(m_found) < refreshShare * full ||
+         (m_age >= refreshAge && m_found < static_cast<std::size_t>(m_settings.maxFeatures));
+}
+
+bool vpPointTracks::prepareImage(const vpCueFrame &frame, const vpModelView &view)
+{
+  const cv::Size size(static_cast<int>(frame.width()), static_cast<int>(frame.height()));
+  if (size != m_imageSize || frame.camera() != m_camera) {
+    forget();
+    m_imageSize = size;
+    m_camera = frame.camera();
+    m_currentNumber = 0;
+  }
+  const cv::Rect needed = expectedArea(view, vpPointCamera(view.pose(), m_camera), size);
+  if (needed.area() == 0) {
+    m_currentNumber = 0;
+    return false;
+  }
+  if (frame.number() == m_currentNumber && (needed & m_current.area()) == needed) {
+    return true;
+  }
+  const cv::Rect before = m_reference.isEmpty() ? cv::Rect() : m_reference.area();
+  const cv::Size wanted = sizeFor(needed, before, size);
+  if (!m_reference.isEmpty() && wanted != before.size()) {
+    m_reference.move(placed(wanted, before, size), m_settings.windowSize, m_settings.pyramidLevels);
+  }
+  m_current.build(frame.gray(), placed(wanted, needed, size), m_settings.windowSize, m_settings.pyramidLevels);
+  m_currentNumber = frame.number();
+  return true;
+}
+
+void vpPointTracks::expectTracks(const vpCueFrame &frame, const vpModelView &view,
+                                 std::vector<vpPointCue::Match> &matches)
+{
+  const vpPointCamera camera(view.pose(), m_camera);
+  m_flow.clear();
+  for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+    const Track &track = m_tracks[i];
+    const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
+    if (!(cX.z() > 0.) || !track.surface.isFacing(camera, cX)) {
+      continue;
+    }
+    const Eigen::Vector2d pixel = camera.project(cX);
+    if (!m_current.contains(pixel, 0.) || frame.isMasked(pixel.x(), pixel.y()) ||
+        (view.depth() != nullptr && vpSurfaceReader(*view.depth()).hides(pixel, cX.z()))) {
+      continue;
+    }
+    matches.push_back({track.surface.position, pixel, false});
+    m_trackOf.push_back(static_cast<int>(i));
+    const bool isFollowed = track.misses == 0;
+    m_flowOf.push_back(isFollowed ? static_cast<std::ptrdiff_t>(m_flow.size()) : -1);
+    if (isFollowed) {
+      m_flow.add(m_reference.inArea(track.pixel), m_current.inArea(pixel));
+    }
+  }
+}
+
+void vpPointTracks::findTracks(const vpCueFrame &frame, const vpPointCamera &camera,
+                               std::vector<vpPointCue::Match> &matches)
+{
+  m_flow.run(m_reference, m_current, m_settings);
+  const cv::Point2f correction = m_flow.medianCorrection();
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const bool isFollowed = m_flowOf[i] >= 0;
+    const std::size_t flow = isFollowed ? static_cast<std::size_t>(m_flowOf[i]) : 0;
+    if (isFollowed && !m_flow.isFound(flow)) {
+      continue;
+    }
+    cv::Point2f place = isFollowed ? m_flow.place(flow) : m_current.inArea(matches[i].pixel) + correction;
+    const Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
+    const Eigen::Matrix2d distortion = track.surface.distortion(camera, camera.toCamera(track.surface.position));
+    if (!track.patch.align(m_current.pixels(), distortion, isFollowed ? reachOfFlow : reachOfExpectation, place)) {
+      continue;
+    }
+    const Eigen::Vector2d pixel = m_current.inImage(place);
+    if (!frame.isMasked(pixel.x(), pixel.y())) {
+      matches[i].pixel = pixel;
+      matches[i].found = true;
+      ++m_found;
+    }
+  }
+}
+
+void vpPointTracks::match(const vpCueFrame &frame, const vpModelView &view, std::vector<vpPointCue::Match> &matches)
+{
+  matches.clear();
+  m_trackOf.clear();
+  m_flowOf.clear();
+  m_found = 0;
+  m_wantsPoints = false;
+  if (!prepareImage(frame, view)) {
+    return;
+  }
+  if (!m_tracks.empty() && !m_reference.isEmpty()) {
+    expectTracks(frame, view, matches);
+    findTracks(frame, vpPointCamera(view.pose(), m_camera), matches);
+  }
+  m_wantsPoints = lacksPoints();
+  if (m_wantsPoints) {
+    keepMask(frame);
+  }
+}
+
+void vpPointTracks::keepMask(const vpCueFrame &frame)
+{
+  const cv::Rect &area = m_current.area();
+  m_masked.create((area.height - 1) / maskBlock + 1, (area.width - 1) / maskBlock + 1, CV_8U);
+  for (int i = 0; i < m_masked.rows; ++i) {
+    for (int j = 0; j < m_masked.cols; ++j) {
+      m_masked.at<unsigned char>(i, j) = frame.isMasked(area.x + maskBlock * j, area.y + maskBlock * i) ? 255 : 0;
+    }
+  }
+}
+
+void vpPointTracks::learn(const vpHomogeneousMatrix &cMo, const std::vector<vpPointCue::Match> &matches,
+                          const std::vector<char> &trusted, const vpPointCue::DepthSource &depth)
+{
+  if (m_currentNumber == 0) {
+    return;
+  }
+  m_currentNumber = 0;
+  std::swap(m_reference, m_current);
+  const vpPointCamera camera(cMo, m_camera);
+  for (Track &track : m_tracks) {
+    ++track.misses;
+    track.pixel = camera.project(camera.toCamera(track.surface.position));
+  }
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (trusted[i] != 0 && m_trackOf[i] >= 0) {
+      Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
+      track.misses = 0;
+      track.pixel = matches[i].pixel;
+      renew(track, camera);
+    }
+  }
+  const auto lost = [&](Track &track) { return isLost(track, camera); };
+  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), lost), m_tracks.end());
+  std::fill(m_trackOf.begin(), m_trackOf.end(), -1);
+  ++m_age;
+  if (m_wantsPoints && depth) {
+    const vpRenderedView *rendered = depth(cMo);
+    if (rendered != nullptr) {
+      addTracks(camera, *rendered);
+    }
+  }
+  m_wantsPoints = false;
+}
+
+void vpPointTracks::renew(Track &track, const vpPointCamera &camera)
+{
+  const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
+  const Eigen::Matrix2d distortion = track.surface.distortion(camera, cX);
+  if (!(cX.z() > 0.) || vpSurfacePatch::isSimilar(distortion) || !(std::fabs(distortion.determinant()) > 1e-6)) {
+    return;
+  }
+  // Seen from too far elsewhere: the place where it was found is kept, and shown as it looks now.
+  track.patch.take(m_reference.pixels(), m_reference.inArea(track.pixel));
+  track.surface.across = (track.surface.across * distortion.inverse()).eval();
+}
+
+bool vpPointTracks::isLost(Track &track, const vpPointCamera &camera) const
+{
+  const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
+  return track.misses > mostMisses || !(cX.z() > 0.) || !track.surface.isFacing(camera, cX) ||
+         !m_reference.contains(track.pixel, patchRoom);
+}
+
+void vpPointTracks::markAllowed(const vpSurfaceReader &reader, cv::Mat &mask) const
+{
+  reader.markSmooth(m_reference.area(), mask);
+  for (int i = 0; i < m_masked.rows; ++i) {
+    for (int j = 0; j < m_masked.cols; ++j) {
+      if (m_masked.at<unsigned char>(i, j) != 0) {
+        const cv::Rect block(maskBlock * j - maskBlock / 2, maskBlock * i - maskBlock / 2, maskBlock, maskBlock);
+        mask(block & cv::Rect(cv::Point(), mask.size())).setTo(0);
+      }
+    }
+  }
+  const int border = static_cast<int>(m_settings.maskBorder);
+  const int side = 2 * border + 1;
+  cv::erode(mask, mask, cv::Mat::ones(side, side, CV_8U), cv::Point(-1, -1), 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+}
+
+void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView &rendered)
+{
+  const vpSurfaceReader reader(rendered);
+  const auto isHidden = [&](const Track &track) {
+    return reader.hides(camera.project(camera.toCamera(track.surface.position)),
+                        camera.toCamera(track.surface.position).z());
+  };
+  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), isHidden), m_tracks.end());
+  m_taken.clear();
+  for (const Track &track : m_tracks) {
+    m_taken.push_back(m_reference.inArea(track.pixel));
+  }
+  markAllowed(reader, m_allowed);
+  m_finder.find(m_reference.pixels(), m_allowed, m_taken, m_settings, m_corners);
+  for (const cv::Point2f &corner : m_corners) {
+    Track track;
+    track.pixel = m_reference.inImage(corner);
+    if (m_reference.contains(track.pixel, patchRoom) && reader.read(camera, track.pixel, track.surface) &&
+        track.surface.isFacing(camera, camera.toCamera(track.surface.position))) {
+      track.patch.take(m_reference.pixels(), corner);
+      m_tracks.push_back(track);
+    }
+  }
+  m_fullCount = m_tracks.size();
+  m_age = 0;
+}
+
+END_VISP_NAMESPACE
