@@ -14,14 +14,24 @@ using Preset = std::function<void(vpMbMultiCueTracker &)>;
 // What each preset changes in a tracker with default settings: a new preset is a line here.
 const std::map<std::string, Preset> &presets()
 {
+  using Tracker = vpMbMultiCueTracker;
+  const int all = Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER | Tracker::KLT_TRACKER;
   static const std::map<std::string, Preset> table = {
-      {"edge", [](vpMbMultiCueTracker &tracker) { tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER); }},
+      {"edge", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER); }},
       {"edge-mh",
-       [](vpMbMultiCueTracker &tracker) {
-         tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER);
+       [](Tracker &tracker) {
+         tracker.setTrackerType(Tracker::EDGE_TRACKER);
          vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
          settings.enabled = true;
          tracker.setPoseHypothesisSettings(settings);
+       }},
+      {"color", [](Tracker &tracker) { tracker.setTrackerType(Tracker::COLOR_TRACKER); }},
+      {"point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::KLT_TRACKER); }},
+      {"multicue", [](Tracker &tracker) { tracker.setTrackerType(all); }},
+      {"multicue-kalman",
+       [](Tracker &tracker) {
+         tracker.setTrackerType(all);
+         tracker.setPrediction(true);
        }},
   };
   return table;

@@ -15,7 +15,7 @@ public:
   struct Draw
   {
     std::vector<int> classes; //!< For each contour, -1 where it has none.
-    vpPoseTangent motion;         //!< That the classes tell, to first order.
+    vpPoseTangent motion;     //!< That the classes tell, to first order.
     //! Mean squared distance of all control points after that motion, square pixels; what is far counts the cut-off.
     double error = 0.;
   };

@@ -23,8 +23,6 @@ const unsigned int maxMatches = 3;
 const double maxMotion = 2.;
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
-// Rows with less robust weight do not count as support.
-const double goodWeight = 0.1;
 
 bool isFinite(const vpHomogeneousMatrix &cMo)
 {
@@ -116,21 +114,27 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
   m_impl->reason = "no image was tracked yet";
 }
 
-void vpMbMultiCueTracker::init(const vpImage<unsigned char> &I)
+template <typename Pixel> void vpMbMultiCueTracker::startOn(const vpImage<Pixel> &I)
 {
   start(I.getWidth(), I.getHeight());
+  learnStart(m_impl->source.frame(I, m_cam, m_mask));
+}
+
+void vpMbMultiCueTracker::init(const vpImage<unsigned char> &I)
+{
+  startOn(I);
 }
 
 void vpMbMultiCueTracker::setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo)
 {
   m_cMo = cdMo;
-  start(I.getWidth(), I.getHeight());
+  startOn(I);
 }
 
 void vpMbMultiCueTracker::setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo)
 {
   m_cMo = cdMo;
-  start(I_color.getWidth(), I_color.getHeight());
+  startOn(I_color);
 }
 
 template <typename Pixel> void vpMbMultiCueTracker::trackImage(const vpImage<Pixel> &I)
@@ -172,7 +176,9 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
   ++m_impl->frames;
   m_impl->minimisations = 0;
+  m_impl->frameCamera = frame.camera();
   const vpHomogeneousMatrix cMoBefore = m_cMo;
+  predict();
   judge(estimate(frame));
   if (m_impl->state == vpTrackingState::LOST) {
     // A jump of the light changes all contrasts at once: without what was remembered of them the edges may be there
@@ -186,25 +192,32 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     m_impl->edges.reset();
   } else {
     m_impl->trusted = m_cMo;
-    m_impl->edges.updateReference(m_cMo, m_impl->weights);
+    updateReferences();
+    updateMotion();
   }
   if (m_impl->throwOnLoss) {
     testTracking();
   }
 }
 
+void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+{
+  const vpStopwatch stage(m_impl->timings.view);
+  m_impl->view->compute(cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
+}
+
 void vpMbMultiCueTracker::match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
 {
-  {
-    const vpStopwatch stage(m_impl->timings.view);
-    m_impl->view->compute(cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
-  }
+  computeView(frame, cMo);
   const vpStopwatch stage(m_impl->timings.match);
   m_impl->edges.match(frame, *m_impl->view);
 }
 
 bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
 {
+  if (m_impl->type != EDGE_TRACKER) {
+    return estimateFused(frame);
+  }
   const double limit = maxMotion * m_impl->edges.settings().range;
   bool matched = m_impl->hypotheses.settings().enabled && proposePose(frame);
   for (unsigned int i = 0; i < maxMatches; ++i) {
@@ -212,7 +225,7 @@ bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
       match(frame, m_cMo);
     }
     matched = false;
-    if (!computeVVS() || !isFinite(m_cMo)) {
+    if (!minimise({EDGE_TRACKER}) || !isFinite(m_cMo)) {
       return false;
     }
     const double motion = vpControlPointMotion::mean(*m_impl->view, m_cMo, frame.camera());
@@ -229,19 +242,15 @@ bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
 void vpMbMultiCueTracker::judge(bool estimated)
 {
   Impl &impl = *m_impl;
-  impl.expected = static_cast<unsigned int>(impl.edges.matches().size());
-  impl.good = 0;
-  if (estimated) {
-    impl.good = static_cast<unsigned int>(
-        std::count_if(impl.weights.begin(), impl.weights.end(), [](double weight) { return weight > goodWeight; }));
-  }
+  impl.expected = impl.countExpected();
+  impl.good = estimated ? impl.countGood() : 0;
   const double needed = impl.goodRatio * impl.expected;
   if (impl.good < fewestGood || impl.good < 0.5 * needed) {
     impl.state = vpTrackingState::LOST;
   } else {
     impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
   }
-  impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " control points support the pose";
+  impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";
 }
 
 vpTrackingState vpMbMultiCueTracker::getTrackingState() const

@@ -12,14 +12,20 @@ BEGIN_VISP_NAMESPACE
 
 void vpMbMultiCueTracker::setTrackerType(int type)
 {
-  if (type <= 0 || (type & ~(EDGE_TRACKER | KLT_TRACKER)) != 0) {
-    throw vpException(
-        vpException::badValue,
-        "Tracker type %d is not known: use a sum of vpMbMultiCueTracker::EDGE_TRACKER (1) and KLT_TRACKER (2); depth "
-        "trackers need a depth camera and vpMbGenericTracker",
-        type);
+  if (type <= 0 || (type & ~(EDGE_TRACKER | KLT_TRACKER | COLOR_TRACKER)) != 0) {
+    throw vpException(vpException::badValue,
+                      "Tracker type %d is not known: use a sum of vpMbMultiCueTracker::EDGE_TRACKER (1), KLT_TRACKER "
+                      "(2) and COLOR_TRACKER (16); depth trackers need a depth camera and vpMbGenericTracker",
+                      type);
   }
+  const int typeBefore = m_impl->type;
   m_impl->type = type;
+  try {
+    m_impl->makeCues();
+  } catch (...) {
+    m_impl->type = typeBefore;
+    throw;
+  }
 }
 
 int vpMbMultiCueTracker::getTrackerType() const
@@ -77,6 +83,7 @@ void vpMbMultiCueTracker::setKltOpencv(const vpKltOpencv &klt)
   settings.blockSize = klt.getBlockSize();
   settings.pyramidLevels = klt.getPyramidLevels();
   m_impl->klt = settings;
+  m_impl->makeCues();
 }
 
 vpKltOpencv vpMbMultiCueTracker::getKltOpencv() const
@@ -95,6 +102,7 @@ vpKltOpencv vpMbMultiCueTracker::getKltOpencv() const
 void vpMbMultiCueTracker::setKltMaskBorder(const unsigned int &border)
 {
   m_impl->klt.maskBorder = border;
+  m_impl->makeCues();
 }
 
 unsigned int vpMbMultiCueTracker::getKltMaskBorder() const
@@ -202,6 +210,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   setPoseHypothesisSettings(settings.hypotheses);
   m_impl->viewOptions.sampleStep = settings.view.sampleStep;
   m_impl->klt = settings.klt;
+  m_impl->makeCues();
   m_impl->updateMe();
   angleAppears = vpMath::rad(settings.view.appearAngle);
   angleDisappears = vpMath::rad(settings.view.disappearAngle);

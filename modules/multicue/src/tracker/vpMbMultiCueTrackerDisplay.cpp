@@ -37,9 +37,25 @@ void addLine(std::vector<std::vector<double>> &lines, const vpImagePoint &from, 
 }
 } // namespace
 
+unsigned int vpMbMultiCueTracker::getNbFeatures(int type) const
+{
+  const vpCueFusion::Part *part = m_impl->fusion.find(type);
+  return part == nullptr ? 0 : static_cast<unsigned int>(part->block.rows.size());
+}
+
 unsigned int vpMbMultiCueTracker::getNbFeaturesEdge() const
 {
-  return m_impl->found;
+  return getNbFeatures(EDGE_TRACKER);
+}
+
+unsigned int vpMbMultiCueTracker::getNbFeaturesKlt() const
+{
+  return getNbFeatures(KLT_TRACKER) / 2; // Two rows each.
+}
+
+unsigned int vpMbMultiCueTracker::getNbFeaturesColor() const
+{
+  return getNbFeatures(COLOR_TRACKER);
 }
 
 unsigned int vpMbMultiCueTracker::getNbPoints(unsigned int level) const
@@ -53,7 +69,11 @@ unsigned int vpMbMultiCueTracker::getNbPoints(unsigned int level) const
 std::vector<std::vector<double>> vpMbMultiCueTracker::getFeaturesForDisplay()
 {
   std::vector<vpCueFeature> features;
-  m_impl->edges.getFeatures(m_cMo, m_impl->weights, features);
+  for (std::size_t i = 0; i < m_impl->fusion.size(); ++i) {
+    std::vector<vpCueFeature> own;
+    m_impl->fusion[i].cue->getFeatures(m_cMo, m_impl->fusion[i].weights, own);
+    features.insert(features.end(), own.begin(), own.end());
+  }
   std::vector<std::vector<double>> result;
   result.reserve(features.size());
   for (const vpCueFeature &feature : features) {

@@ -25,28 +25,18 @@ const double convergedMotion = 0.005; // Pixels.
 
 void vpMbMultiCueTracker::computeVVSInit()
 {
-  m_impl->edges.residuals(m_cMo, m_impl->block);
-  const unsigned int rows = static_cast<unsigned int>(m_impl->block.rows.size());
+  const unsigned int rows = m_impl->fusion.start(m_cMo);
   m_L.resize(rows, 6, false, false);
   m_error.resize(rows, false);
   m_w.resize(rows, false);
   m_w = 1.;
   m_impl->weightedError.resize(rows, false);
-  m_impl->robust.setMinMedianAbsoluteDeviation(m_impl->block.noise);
   m_impl->mu = m_initialMu;
-  m_impl->found = rows;
 }
 
 void vpMbMultiCueTracker::computeVVSInteractionMatrixAndResidu()
 {
-  m_impl->edges.residuals(m_cMo, m_impl->block);
-  for (unsigned int i = 0; i < m_error.getRows(); ++i) {
-    const vpResidual &row = m_impl->block.rows[i];
-    m_error[i] = row.error;
-    for (unsigned int j = 0; j < 6; ++j) {
-      m_L[i][j] = row.jacobian[j];
-    }
-  }
+  m_impl->fusion.evaluate(m_cMo, m_error, m_L);
 }
 
 bool vpMbMultiCueTracker::restrictToObserved()
@@ -57,10 +47,10 @@ bool vpMbMultiCueTracker::restrictToObserved()
   const vpPoseTangent scale = vpMotionFrame::scale(m_impl->model->diameter());
   const vpPoseMatrix6 S = vpPoseExponential::adjoint(m_cMo) * scale.asDiagonal();
   vpPoseMatrix6 information = vpPoseMatrix6::Zero();
-  for (const vpResidual &row : m_impl->block.rows) {
+  m_impl->fusion.forEachRow([&](const vpResidual &row) {
     const vpPoseTangent j = S.transpose() * row.jacobian;
     information.noalias() += j * j.transpose();
-  }
+  });
   const Eigen::SelfAdjointEigenSolver<vpPoseMatrix6> solver(information);
   const double least = vpMotionFrame::leastInformation * solver.eigenvalues()(5);
   if (solver.eigenvalues()(0) > least) {
@@ -79,10 +69,30 @@ bool vpMbMultiCueTracker::restrictToObserved()
   return true;
 }
 
+// How far the farthest feature moves in the image, pixels.
+double vpMbMultiCueTracker::imageMotion(const vpColVector &velocity) const
+{
+  const Eigen::Map<const vpPoseTangent> v(velocity.data);
+  double largest = 0.;
+  if (const vpCueFusion::Part *edges = m_impl->fusion.find(EDGE_TRACKER)) {
+    for (const vpResidual &row : edges->block.rows) {
+      largest = std::max(largest, std::fabs(row.jacobian.dot(v)));
+    }
+    return largest * m_cam.get_px();
+  }
+  // Other cues' errors are no distances: that of the object's origin, and of a turn at its radius.
+  const Eigen::Vector3d centre(m_cMo[0][3], m_cMo[1][3], m_cMo[2][3]);
+  const Eigen::Vector3d turn = v.tail<3>();
+  const double moved = (v.head<3>() + turn.cross(centre)).norm() + 0.5 * m_impl->model->diameter() * turn.norm();
+  return moved / std::max(centre.z(), 1e-9) * m_cam.get_px();
+}
+
 void vpMbMultiCueTracker::computeStep(unsigned int iteration, bool allDegreesOfFreedom)
 {
   Impl &impl = *m_impl;
-  computeVVSWeights(impl.robust, m_error, m_w);
+  impl.fusion.weigh(
+      [this](vpRobust &robust, const vpColVector &error, vpColVector &w) { computeVVSWeights(robust, error, w); },
+      m_error, m_L, m_w);
   if (computeCovariance) {
     impl.LTrue = m_L;
     if (!allDegreesOfFreedom) {
@@ -94,23 +104,21 @@ void vpMbMultiCueTracker::computeStep(unsigned int iteration, bool allDegreesOfF
   }
   double squares = 0.;
   double sum = 0.;
-  for (unsigned int i = 0; i < m_error.getRows(); ++i) {
-    const double w = m_w[i] * impl.block.rows[i].weight;
+  unsigned int i = 0;
+  impl.fusion.forEachRow([&](const vpResidual &row) {
+    const double w = m_w[i] * row.weight;
     squares += w * m_error[i] * m_error[i];
     sum += w;
     impl.weightedError[i] = w * m_error[i];
     for (unsigned int j = 0; j < 6; ++j) {
       m_L[i][j] *= w;
     }
-  }
+    ++i;
+  });
   impl.residual = sum > 0. ? std::sqrt(squares / sum) : 0.;
   computeVVSPoseEstimation(allDegreesOfFreedom, iteration, m_L, impl.LTL, impl.weightedError, m_error, impl.errorBefore,
                            impl.LTR, impl.mu, impl.velocity);
-  impl.lastStep = 0.;
-  for (const vpResidual &row : impl.block.rows) {
-    const double motion = row.jacobian.dot(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(impl.velocity.data));
-    impl.lastStep = std::max(impl.lastStep, std::fabs(motion) * m_cam.get_px());
-  }
+  impl.lastStep = imageMotion(impl.velocity);
   impl.cMoBefore = m_cMo;
   m_cMo = vpExponentialMap::direct(impl.velocity).inverse() * m_cMo;
 }
@@ -149,7 +157,7 @@ bool vpMbMultiCueTracker::computeVVS()
     m_cMo = impl.cMoBefore; // Levenberg and Marquardt's damping ran away: the best pose so far is the answer.
   }
   oJo = chosen;
-  impl.weights.assign(m_w.data, m_w.data + m_w.getRows());
+  impl.fusion.keepWeights(m_w);
   return true;
 }
 

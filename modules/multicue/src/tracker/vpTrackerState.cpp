@@ -3,7 +3,14 @@
 
 #include <visp3/core/vpException.h>
 
+#include <algorithm>
+
 BEGIN_VISP_NAMESPACE
+
+namespace {
+// Rows with less robust weight do not count as support.
+const double goodWeight = 0.1;
+} // namespace
 
 const char *toString(vpTrackingState state)
 {
@@ -42,6 +49,7 @@ void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
   model = std::make_shared<const vpTrackedModel>(std::move(loaded));
   view = std::make_unique<vpModelView>(model);
   displayView.reset();
+  depthRenderer.reset();
   makeRenderer();
   forgetImages();
   width = 0;
@@ -55,16 +63,76 @@ void vpMbMultiCueTracker::Impl::makeRenderer()
   renderer = model && !model->isConvex() ? vpModelRenderer::create(model, preference) : nullptr;
 }
 
+vpPointCueSettings vpMbMultiCueTracker::Impl::pointSettings() const
+{
+  vpPointCueSettings settings;
+  settings.maxFeatures = klt.maxFeatures;
+  settings.windowSize = klt.windowSize;
+  settings.quality = klt.quality;
+  settings.minDistance = klt.minDistance;
+  settings.harris = klt.harris;
+  settings.blockSize = klt.blockSize;
+  settings.pyramidLevels = klt.pyramidLevels;
+  settings.maskBorder = klt.maskBorder;
+  return settings;
+}
+
+void vpMbMultiCueTracker::Impl::makeCues()
+{
+  if (!uses(KLT_TRACKER)) {
+    points.reset();
+    return;
+  }
+  if (points) {
+    points->setSettings(pointSettings());
+    return;
+  }
+  points = std::make_unique<vpPointCue>(pointSettings());
+  points->setDepthSource([this](const vpHomogeneousMatrix &cMo) { return renderDepth(cMo); });
+}
+
+const vpRenderedView *vpMbMultiCueTracker::Impl::renderDepth(const vpHomogeneousMatrix &cMo)
+{
+  if (!depthRenderer) {
+    depthRenderer = vpModelRenderer::create(model, preference);
+  }
+  vpRenderOptions options;
+  options.nearDistance = viewOptions.nearDistance;
+  depthRenderer->render(cMo, frameCamera, width, height, options, depth);
+  return &depth;
+}
+
+unsigned int vpMbMultiCueTracker::Impl::countExpected() const
+{
+  std::size_t count = uses(EDGE_TRACKER) ? edges.matches().size() : 0;
+  count += uses(COLOR_TRACKER) ? color.lines().size() : 0;
+  count += uses(KLT_TRACKER) ? 2 * points->matches().size() : 0; // Two rows each.
+  return static_cast<unsigned int>(count);
+}
+
+unsigned int vpMbMultiCueTracker::Impl::countGood() const
+{
+  std::ptrdiff_t count = 0;
+  for (std::size_t i = 0; i < fusion.size(); ++i) {
+    const std::vector<double> &weights = fusion[i].weights;
+    count += std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > goodWeight; });
+  }
+  return static_cast<unsigned int>(count);
+}
+
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
   edges = vpEdgeCue(edges.settings());
+  color.reset();
+  if (points) {
+    points->reset();
+  }
+  kalman.reset();
+  fusion.clear();
   hypotheses.clear();
   frames = 0;
   minimisations = 0;
-  block.rows.clear();
-  weights.clear();
   expected = 0;
-  found = 0;
   good = 0;
 }
 

@@ -2,9 +2,13 @@
 #ifndef vpTrackerState_h
 #define vpTrackerState_h
 
-#include <visp3/core/vpRobust.h>
+#include "tracker/vpCueFusion.h"
+
+#include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
+#include <visp3/cues/vpPointCue.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
+#include <visp3/se3/vpPoseKalmanFilter.h>
 
 BEGIN_VISP_NAMESPACE
 
@@ -20,8 +24,18 @@ public:
   const vpTrackedModel &requireModel() const;
   void setModel(vpTrackedModel &&loaded);
   void makeRenderer();
+  //! Makes the cues of the tracker's type.
+  void makeCues();
+  vpPointCueSettings pointSettings() const;
+  //! Depth at a pose, for new points. Null where the model cannot be drawn.
+  const vpRenderedView *renderDepth(const vpHomogeneousMatrix &cMo);
   //! Forgets what was learnt from images.
   void forgetImages();
+  //! Features that were looked for.
+  unsigned int countExpected() const;
+  //! Features that the robust estimation kept.
+  unsigned int countGood() const;
+  bool uses(int cue) const { return (type & cue) != 0; }
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
   int type = EDGE_TRACKER;
@@ -32,6 +46,8 @@ public:
   vpModelRenderer::Preference preference = vpModelRenderer::AUTOMATIC;
   double goodRatio = 0.4;
   bool throwOnLoss = false;
+  bool predicts = false;           // With the Kalman filter.
+  double frameInterval = 1. / 30.; // Seconds.
   bool displayHypotheses = false;
 
   // Model and what is derived from it.
@@ -40,21 +56,24 @@ public:
   std::shared_ptr<const vpTrackedModel> model;
   std::unique_ptr<vpModelRenderer> renderer;
   std::unique_ptr<vpModelView> view;
+  std::unique_ptr<vpModelRenderer> depthRenderer; // For new points, of convex models too; made when first needed.
+  vpRenderedView depth;
+  vpCameraParameters frameCamera; // Of the last frame, without distortion.
   std::unique_ptr<vpModelView> displayView;
 
   // Image and features.
   vpFrameSource source;
   vpEdgeCue edges;
+  vpColorCue color;
+  std::unique_ptr<vpPointCue> points; // Null where they are not asked for.
   vpPoseHypotheses hypotheses;
-  std::uint64_t frames = 0;        // Since the start.
+  std::uint64_t frames = 0;       // Since the start.
   unsigned int minimisations = 0; // In the last frame.
-  unsigned int width = 0; // Of the images since init(); 0 before it.
+  unsigned int width = 0;         // Of the images since init(); 0 before it.
   unsigned int height = 0;
 
   // Pose estimation; members so that their memory is used again.
-  vpRobust robust;
-  vpResidualBlock block;
-  std::vector<double> weights; // Robust weights of the block's rows.
+  vpCueFusion fusion;
   vpColVector weightedError;
   vpColVector errorBefore;
   vpMatrix LTL;
@@ -67,12 +86,15 @@ public:
   vpMatrix LTrue, LVJTrue;
   vpHomogeneousMatrix cMoBefore; // Of the last iteration.
 
+  // Motion.
+  vpPoseKalmanFilter kalman;
+  double sinceUpdate = 0.; // Of the filter, seconds.
+
   // Outcome.
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   std::string reason;
-  unsigned int expected = 0;   // Control points that were searched for.
-  unsigned int found = 0;      // That gave a row.
-  unsigned int good = 0;       // That the robust estimation kept.
+  unsigned int expected = 0; // Features that were searched for.
+  unsigned int good = 0;     // That the robust estimation kept.
   vpTrackingTimings timings;
   vpHomogeneousMatrix trusted; // The last pose that was started from or tracked.
 };

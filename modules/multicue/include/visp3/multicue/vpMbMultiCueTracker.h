@@ -2,12 +2,14 @@
 #ifndef vpMbMultiCueTracker_h
 #define vpMbMultiCueTracker_h
 
+#include <visp3/cues/vpColorCueSettings.h>
 #include <visp3/klt/vpKltOpencv.h>
 #include <visp3/mbt/vpMbTracker.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
 #include <visp3/multicue/vpTrackingState.h>
 #include <visp3/multicue/vpTrackingTimings.h>
+#include <visp3/se3/vpPoseKalmanFilter.h>
 
 #include <memory>
 
@@ -34,7 +36,8 @@ public:
   enum vpTrackerType
   {
     EDGE_TRACKER = 1 << 0, //!< Edges of the model.
-    KLT_TRACKER = 1 << 1   //!< Points on the surface.
+    KLT_TRACKER = 1 << 1,  //!< Points on the surface.
+    COLOR_TRACKER = 1 << 4 //!< Colours on both sides of the silhouette; vpMbGenericTracker has nothing like it.
   };
 
   //! Same as vpMbMultiCueTracker(EDGE_TRACKER).
@@ -84,6 +87,9 @@ public:
     outside the image; the pose before stays.
   */
   void init(const vpImage<unsigned char> &I) override;
+  using vpMbTracker::initFromPose;
+  //! As vpMbTracker's, and learns the colours that the image shows there.
+  void initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo) override;
   //! Moves the tracker to another pose, as init() does.
   void setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo) override;
   void setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo) override;
@@ -112,8 +118,8 @@ public:
   //! Reads an XML file of vpMbGenericTracker or a JSON file, see vpMultiCueSettingsReader.
   void loadConfigFile(const std::string &configFile, bool verbose = true) override;
   /*!
-    \param type Sum of vpTrackerType values. Edges do the work at present: KLT_TRACKER is accepted, alone too, so that
-    programs written for vpMbGenericTracker run, and adds nothing. \throw vpException for other values.
+    Chooses the cues; may be called between frames. \param type Sum of vpTrackerType values. \throw vpException for
+    other values, and for points where the library was built without OpenCV's video module.
   */
   virtual void setTrackerType(int type);
   virtual int getTrackerType() const;
@@ -129,6 +135,15 @@ public:
   //! \throw vpException naming what is out of range.
   void setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings);
   vpPoseHypothesisSettings getPoseHypothesisSettings() const;
+  void setColorSettings(const vpColorCueSettings &settings);
+  vpColorCueSettings getColorSettings() const;
+  /*!
+    Starts each frame where a Kalman filter with constant velocity expects the object ([P14] IV). Off by default.
+    \param flag On or off. \param settings How the object is taken to move.
+  */
+  void setPrediction(bool flag, const vpPoseKalmanSettings &settings = vpPoseKalmanSettings());
+  //! Time between two images for the prediction. \param seconds > 0, default 1/30; may change from image to image.
+  void setFrameInterval(double seconds);
   virtual void setKltOpencv(const vpKltOpencv &klt);
   virtual vpKltOpencv getKltOpencv() const;
   virtual void setKltMaskBorder(const unsigned int &border);
@@ -155,8 +170,10 @@ public:
   const std::vector<vpPoseHypothesis> &getPoseHypotheses() const;
   //! Number of combinations of potential edges that were minimised for the last image.
   unsigned int getNbPoseMinimisations() const;
-  virtual unsigned int getNbFeaturesKlt() const { return 0; }
-  virtual unsigned int getNbFeaturesColor() const { return 0; }
+  //! Number of points that were found in the last image.
+  virtual unsigned int getNbFeaturesKlt() const;
+  //! Number of lines across the silhouette that entered the pose.
+  virtual unsigned int getNbFeaturesColor() const;
   //! As vpMbGenericTracker's: number of control points found and not refused. \param level Must be 0.
   virtual unsigned int getNbPoints(unsigned int level = 0) const;
   /*!
@@ -206,13 +223,24 @@ private:
   void replaceModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo);
   void forgetPrimitives();
   void start(unsigned int width, unsigned int height);
+  template <typename Pixel> void startOn(const vpImage<Pixel> &I);
   void requireTrackable(unsigned int width, unsigned int height) const;
   template <typename Pixel> void trackImage(const vpImage<Pixel> &I);
   void trackFrame(const vpCueFrame &frame);
   bool computeVVS();
   void computeStep(unsigned int iteration, bool allDegreesOfFreedom);
   bool restrictToObserved();
+  double imageMotion(const vpColVector &velocity) const;
+  unsigned int getNbFeatures(int type) const;
+  void predict();
+  void learnStart(const vpCueFrame &frame);
+  bool estimateFused(const vpCueFrame &frame);
+  bool estimateCoarse(const vpCueFrame &frame);
+  bool minimise(const std::vector<int> &cues);
+  void updateReferences();
+  void updateMotion();
   bool estimate(const vpCueFrame &frame);
+  void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   bool proposePose(const vpCueFrame &frame);
   bool takeBestHypothesis(const vpCueFrame &frame);

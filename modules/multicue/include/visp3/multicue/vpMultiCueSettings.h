@@ -11,10 +11,11 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_multicue_settings Parameters of ViSP's KLT tracker, with the defaults of vpMbGenericTracker. */
+/*! \ingroup group_multicue_settings Parameters of ViSP's KLT tracker, with its defaults but for the number of points.
+ */
 struct VISP_EXPORT vpKltSettings
 {
-  int maxFeatures = 10000;     //!< Largest number of points, [1, 100000].
+  int maxFeatures = 100;       //!< Largest number of points, [1, 100000]; more of them take longer and add little.
   int windowSize = 5;          //!< Side of the window that is compared, pixels, [3, 63].
   double quality = 0.01;       //!< Corners below this share of the best one's strength are left out, (0, 1].
   double minDistance = 5.;     //!< Of two points, pixels, [0, 1000].

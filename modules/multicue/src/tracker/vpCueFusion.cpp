@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tracker/vpCueFusion.h"
+
+BEGIN_VISP_NAMESPACE
+
+void vpCueFusion::add(int type, const vpPoseCue &cue)
+{
+  if (m_parts.size() == m_count) {
+    m_parts.emplace_back();
+  }
+  Part &part = m_parts[m_count++].part;
+  part.type = type;
+  part.cue = &cue;
+  part.block.rows.clear();
+  part.weights.clear();
+}
+
+unsigned int vpCueFusion::start(const vpHomogeneousMatrix &cMo)
+{
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < m_count; ++i) {
+    Memory &memory = m_parts[i];
+    vpResidualBlock &block = memory.part.block;
+    memory.part.cue->residuals(cMo, block);
+    memory.error.resize(static_cast<unsigned int>(block.rows.size()), false);
+    memory.w.resize(static_cast<unsigned int>(block.rows.size()), false);
+    memory.w = 1.;
+    memory.robust.setMinMedianAbsoluteDeviation(block.noise);
+    rows += block.rows.size();
+  }
+  return static_cast<unsigned int>(rows);
+}
+
+void vpCueFusion::evaluate(const vpHomogeneousMatrix &cMo, vpColVector &error, vpMatrix &L)
+{
+  unsigned int k = 0;
+  for (std::size_t i = 0; i < m_count; ++i) {
+    Memory &memory = m_parts[i];
+    memory.part.cue->residuals(cMo, memory.part.block);
+    unsigned int own = 0;
+    for (const vpResidual &row : memory.part.block.rows) {
+      memory.error[own++] = row.error;
+      error[k] = row.error;
+      for (unsigned int j = 0; j < 6; ++j) {
+        L[k][j] = row.jacobian[j];
+      }
+      ++k;
+    }
+  }
+}
+
+void vpCueFusion::weigh(const Weigh &weigh, vpColVector &error, vpMatrix &L, vpColVector &w)
+{
+  m_information.setZero();
+  double reference = 0.;
+  unsigned int k = 0;
+  for (std::size_t i = 0; i < m_count; ++i) {
+    Memory &memory = m_parts[i];
+    if (memory.part.block.rows.empty()) {
+      continue;
+    }
+    weigh(memory.robust, memory.error, memory.w);
+    const double scale = memory.robust.getMedianAbsoluteDeviation();
+    reference = reference > 0. ? reference : scale;
+    const double factor = reference / scale;
+    unsigned int own = 0;
+    for (const vpResidual &row : memory.part.block.rows) {
+      w[k] = memory.w[own++];
+      error[k] *= factor;
+      for (unsigned int j = 0; j < 6; ++j) {
+        L[k][j] *= factor;
+      }
+      const Eigen::Matrix<double, 6, 1> whitened = row.jacobian / scale;
+      m_information.noalias() += w[k] * row.weight * whitened * whitened.transpose();
+      ++k;
+    }
+  }
+}
+
+void vpCueFusion::keepWeights(const vpColVector &w)
+{
+  const double *next = w.data;
+  for (std::size_t i = 0; i < m_count; ++i) {
+    Part &part = m_parts[i].part;
+    part.weights.assign(next, next + part.block.rows.size());
+    next += part.block.rows.size();
+  }
+}
+
+const vpCueFusion::Part *vpCueFusion::find(int type) const
+{
+  for (std::size_t i = 0; i < m_count; ++i) {
+    if (m_parts[i].part.type == type) {
+      return &m_parts[i].part;
+    }
+  }
+  return nullptr;
+}
+
+END_VISP_NAMESPACE

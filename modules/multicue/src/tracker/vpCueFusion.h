@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpCueFusion_h
+#define vpCueFusion_h
+
+#include <visp3/core/vpColVector.h>
+#include <visp3/core/vpMatrix.h>
+#include <visp3/core/vpRobust.h>
+#include <visp3/cues/vpPoseCue.h>
+
+#include <functional>
+#include <vector>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  The equations of several cues stacked for one minimisation ([P14] eq. 5, 12, 13).
+
+  Each cue has its own robust estimator and scale. Its rows are divided by that scale, so that cues with other units, or
+  other noise, count by what they know; [P14] divides by the number of rows instead, which makes a cue with few rows as
+  strong as one with many. The scale of the first cue is taken out again: a cue alone is minimised in its own unit.
+*/
+class vpCueFusion
+{
+public:
+  //! A cue and its rows.
+  struct Part
+  {
+    int type = 0; //!< vpMbMultiCueTracker::vpTrackerType.
+    const vpPoseCue *cue = nullptr;
+    vpResidualBlock block;
+    std::vector<double> weights; //!< Robust weights of the block's rows.
+  };
+  //! ViSP's robust weights of a cue's errors.
+  using Weigh = std::function<void(vpRobust &robust, const vpColVector &error, vpColVector &w)>;
+
+  void clear() { m_count = 0; }
+  //! \param cue Matched; has to live until the next clear().
+  void add(int type, const vpPoseCue &cue);
+
+  //! Takes the cues' equations at a pose. \return Number of rows.
+  unsigned int start(const vpHomogeneousMatrix &cMo);
+  //! The equations at another pose. \param error, L Stacked, not scaled yet; their sizes fit already.
+  void evaluate(const vpHomogeneousMatrix &cMo, vpColVector &error, vpMatrix &L);
+  //! Robust weights \e w of each cue for itself; scales its rows of \e error and \e L.
+  void weigh(const Weigh &weigh, vpColVector &error, vpMatrix &L, vpColVector &w);
+  //! Keeps the weights for Part::weights.
+  void keepWeights(const vpColVector &w);
+
+  std::size_t size() const { return m_count; }
+  const Part &operator[](std::size_t i) const { return m_parts[i].part; }
+  //! \return The part of a type, null where it takes no part.
+  const Part *find(int type) const;
+  //! \return Every row. \param use Called with each of them.
+  template <typename Use> void forEachRow(const Use &use) const
+  {
+    for (std::size_t i = 0; i < m_count; ++i) {
+      for (const vpResidual &row : m_parts[i].part.block.rows) {
+        use(row);
+      }
+    }
+  }
+  //! Inverse covariance of the pose's error in the camera's frame, from the last weigh(): each row has unit variance.
+  const Eigen::Matrix<double, 6, 6> &information() const { return m_information; }
+
+private:
+  struct Memory // Is used again from frame to frame.
+  {
+    Part part;
+    vpRobust robust;
+    vpColVector error;
+    vpColVector w;
+  };
+
+  std::vector<Memory> m_parts;
+  std::size_t m_count = 0;
+  Eigen::Matrix<double, 6, 6> m_information = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+END_VISP_NAMESPACE
+#endif
