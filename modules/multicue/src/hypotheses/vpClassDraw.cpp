@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "hypotheses/vpClassDraw.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,15 +13,33 @@ const double agreementNoise = 1.; // Pixels.
 const double gate = 3.;
 // A straight edge tells two things about the motion, however many control points it has.
 const double measurements = 2.;
-// After this many contours the motion is known, if it can be.
-const std::size_t decisive = 8;
+// After this many contours the motion is known, if it can be, and the classes of the others follow from it.
+const std::size_t decisive = 5;
 // Draws that bring nothing new, one after the other, before the search ends.
-const unsigned int patience = 8;
+const unsigned int patience = 6;
 
 // tr(A P) of symmetric matrices.
 double trace(const vpPoseMatrix6 &A, const vpPoseMatrix6 &P)
 {
   return A.cwiseProduct(P).sum();
+}
+
+// Gauss and Jordan's elimination, which needs no pivots for a covariance. Eigen's solvers take blocked products for
+// matrices of this size, ten times as long.
+void invert(vpPoseMatrix6 &M)
+{
+  for (int k = 0; k < 6; ++k) {
+    const double pivot = 1. / M(k, k);
+    M(k, k) = 1.;
+    M.col(k) *= pivot;
+    for (int j = 0; j < 6; ++j) {
+      if (j != k) {
+        const double factor = M(k, j);
+        M(k, j) = 0.;
+        M.col(j) -= factor * M.col(k);
+      }
+    }
+  }
 }
 } // namespace
 
@@ -71,10 +87,10 @@ std::size_t vpClassDraw::pick(const vpContourClasses &classes, vpPoseRandom &ran
   return last;
 }
 
-int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour,
-                           vpPoseRandom &random)
+// The chances of a contour's classes; they add up to the value returned.
+double vpClassDraw::findChances(const vpContourClasses &classes, const vpContourClasses::Contour &contour,
+                                Chances &chance) const
 {
-  std::array<double, vpEdgeClustering::maxClasses> chance{};
   double best = HUGE_VAL;
   for (int label = 0; label < contour.classes; ++label) {
     const vpContourClasses::Class &c = classes.at(contour, label);
@@ -89,7 +105,17 @@ int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClass
     c = classes.at(contour, label).weight * std::exp(best - c);
     sum += c;
   }
-  double left = random.uniform() * sum;
+  return sum;
+}
+
+int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour,
+                           vpPoseRandom &random) const
+{
+  if (contour.classes == 1) {
+    return 0;
+  }
+  Chances chance{};
+  double left = random.uniform() * findChances(classes, contour, chance);
   for (int label = 0; label < contour.classes; ++label) {
     left -= chance[static_cast<std::size_t>(label)];
     if (left < 0.) {
@@ -97,6 +123,16 @@ int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClass
     }
   }
   return contour.classes - 1;
+}
+
+int vpClassDraw::likeliestClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour) const
+{
+  if (contour.classes == 1) {
+    return 0;
+  }
+  Chances chance{};
+  findChances(classes, contour, chance);
+  return static_cast<int>(std::max_element(chance.begin(), chance.begin() + contour.classes) - chance.begin());
 }
 
 void vpClassDraw::believe(const vpContourClasses::Class &chosen)
@@ -111,7 +147,8 @@ void vpClassDraw::believe(const vpContourClasses::Class &chosen)
 
 void vpClassDraw::estimate()
 {
-  m_covariance = m_information.llt().solve(vpPoseMatrix6::Identity());
+  m_covariance = m_information;
+  invert(m_covariance);
   m_motion = -m_covariance * m_gradient;
 }
 
@@ -140,7 +177,7 @@ void vpClassDraw::drawOnce(const vpContourClasses &classes, vpPoseRandom &random
   estimate();
   for (std::size_t i = 0; i < contours.size(); ++i) {
     if (m_open[i] != 0) {
-      draw.classes[i] = drawClass(classes, contours[i], random);
+      draw.classes[i] = likeliestClass(classes, contours[i]);
     }
   }
 }

@@ -34,9 +34,13 @@ public:
   const Draw &operator[](std::size_t i) const { return m_draws[i]; }
 
 private:
+  using Chances = std::array<double, vpEdgeClustering::maxClasses>;
+
   void drawOnce(const vpContourClasses &classes, vpPoseRandom &random, Draw &draw);
   std::size_t pick(const vpContourClasses &classes, vpPoseRandom &random);
-  int drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour, vpPoseRandom &random);
+  double findChances(const vpContourClasses &classes, const vpContourClasses::Contour &contour, Chances &chance) const;
+  int drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour, vpPoseRandom &random) const;
+  int likeliestClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour) const;
   void believe(const vpContourClasses::Class &chosen);
   void estimate();
   void conclude(const vpContourClasses &classes, Draw &draw);

@@ -16,8 +16,8 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // A minimisation of chosen candidates starts from the motion of the first order; the one of the nearest candidates
 // after it starts close to its end.
-const unsigned int chosenIterations = 6;
-const unsigned int nearestIterations = 4;
+const unsigned int chosenIterations = 4;
+const unsigned int nearestIterations = 3;
 // A pose that moved its control points by more than this many search ranges has diverged.
 const double maxMotion = 2.;
 // What an edge's place is uncertain by, its model and its noise together.

@@ -11,7 +11,7 @@ BEGIN_VISP_NAMESPACE
 namespace {
 const std::size_t minRows = 6;
 // An iteration that moves the control points by less than this in the mean has converged.
-const double convergedMotion = 0.02; // Pixels.
+const double convergedMotion = 0.05; // Pixels.
 } // namespace
 
 bool vpPoseSolver::step(const vpPoseMatrix6 &toCamera, vpPoseTangent &velocity)
