@@ -15,7 +15,7 @@ const double gate = 3.;
 const double measurements = 2.;
 // After this many contours the motion is known, if it can be, and the classes of the others follow from it.
 const std::size_t decisive = 5;
-// Draws that bring nothing new, one after the other, before the search ends.
+// Draws that lead to no new motion, one after the other, before the search ends.
 const unsigned int patience = 6;
 
 // tr(A P) of symmetric matrices.
@@ -43,28 +43,34 @@ void invert(vpPoseMatrix6 &M)
 }
 } // namespace
 
-void vpClassDraw::compute(const vpContourClasses &classes, double prior, unsigned int count, std::uint64_t seed,
-                          std::uint64_t stream)
+void vpClassDraw::compute(const vpContourClasses &classes, double prior, double tolerance, unsigned int count,
+                          std::uint64_t seed, std::uint64_t stream)
 {
   m_prior = prior;
   m_size = 0;
-  const bool ambiguous = classes.most() > 1;
+  const unsigned int most = classes.most() > 1 ? count : 1;
   unsigned int old = 0;
-  for (unsigned int i = 0; i < (ambiguous ? count : 1U) && old < patience; ++i) {
+  for (unsigned int i = 0; i < most && old < patience; ++i) {
     if (m_draws.size() == m_size) {
       m_draws.emplace_back();
     }
     Draw &draw = m_draws[m_size];
     vpPoseRandom random(seed, {stream, i});
     drawOnce(classes, random, draw);
+    conclude(classes, draw);
     const auto end = m_draws.begin() + static_cast<std::ptrdiff_t>(m_size);
-    if (std::any_of(m_draws.begin(), end, [&](const Draw &other) { return other.classes == draw.classes; })) {
-      ++old;
+    const auto same = std::find_if(m_draws.begin(), end, [&](const Draw &other) {
+      return classes.difference(other.motion, draw.motion) < tolerance;
+    });
+    if (same == end) {
+      old = 0;
+      ++m_size;
       continue;
     }
-    old = 0;
-    conclude(classes, draw);
-    ++m_size;
+    ++old;
+    if (draw.error < same->error) {
+      std::swap(*same, draw);
+    }
   }
 }
 

@@ -105,30 +105,17 @@ void vpPoseHypotheses::setEstimatedMotions(const vpMatrix &oJo)
   m_impl->freeMotions = vpMotionFrame::toEigen(oJo);
 }
 
-// The draws to minimise: the most coherent ones, of those that lead to the same motion the first.
+// The draws to minimise: the most coherent ones.
 void vpPoseHypotheses::Impl::select(unsigned int limit)
 {
   order.resize(draws.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [this](std::size_t a, std::size_t b) { return draws[a].error < draws[b].error; });
-  minimised = 0;
-  for (const std::size_t i : order) {
-    const vpClassDraw::Draw &draw = draws[i];
-    const auto end = works.begin() + static_cast<std::ptrdiff_t>(minimised);
-    const bool known = std::any_of(works.begin(), end, [&](const Work &work) {
-      return classes.difference(draw.motion, work.draw->motion) < settings.mergeTolerance;
-    });
-    if (known) {
-      continue;
-    }
-    if (works.size() == minimised) {
-      works.emplace_back();
-    }
-    works[minimised++].draw = &draw;
-    if (minimised == limit) {
-      break;
-    }
+  minimised = std::min<std::size_t>(order.size(), limit);
+  works.resize(std::max(works.size(), minimised));
+  for (std::size_t i = 0; i < minimised; ++i) {
+    works[i].draw = &draws[order[i]];
   }
 }
 
@@ -244,7 +231,7 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
                              vpMotionFrame::scale(diameter).asDiagonal();
   impl.classes.compute(edges, view, cMo, impl.toCamera, impl.settings.lambda);
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
-  impl.draws.compute(impl.classes, prior, impl.settings.draws, impl.settings.seed, stream);
+  impl.draws.compute(impl.classes, prior, impl.settings.mergeTolerance, impl.settings.draws, impl.settings.seed, stream);
   impl.select(limit > 0 ? limit : impl.settings.minimisations);
   impl.minimise(edges, diameter, cMo);
   impl.merge(edges, view);

@@ -117,7 +117,7 @@ public:
   const std::vector<Contour> &contours() const;
   //! The potential edges of the last find().
   std::vector<Line> lines() const;
-  //! Number of different draws in the last find().
+  //! Number of draws in the last find() that led to different motions.
   unsigned int differentDraws() const;
   //! Number of draws that were minimised in the last find().
   unsigned int minimisations() const;
