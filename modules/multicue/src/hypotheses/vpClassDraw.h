@@ -15,7 +15,7 @@ public:
   struct Draw
   {
     std::vector<int> classes; //!< For each contour, -1 where it has none.
-    vpPoseTangent motion;         //!< That the classes tell, to first order.
+    vpPoseTangent motion;     //!< That the classes tell, to first order.
     //! Mean squared distance of all control points after that motion, square pixels; what is far counts the cut-off.
     double error = 0.;
   };
@@ -26,8 +26,8 @@ public:
     \param count Largest number of draws.
     \param seed, stream Names of the random numbers.
   */
-  void compute(const vpContourClasses &classes, double prior, double tolerance, unsigned int count,
-               std::uint64_t seed, std::uint64_t stream);
+  void compute(const vpContourClasses &classes, double prior, double tolerance, unsigned int count, std::uint64_t seed,
+               std::uint64_t stream);
 
   void clear() { m_size = 0; }
   //! The draws that lead to different motions.

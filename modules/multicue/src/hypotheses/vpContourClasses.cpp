@@ -14,8 +14,7 @@ const double neighbourSteps = 2.5;
 
 double turnBetween(const vpControlPoint &a, const vpControlPoint &b)
 {
-  return std::fabs(
-      std::atan2(a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x(), a.normal.dot(b.normal)));
+  return std::fabs(std::atan2(a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x(), a.normal.dot(b.normal)));
 }
 } // namespace
 
@@ -34,8 +33,8 @@ int vpContourClasses::splitCurve(const std::vector<vpEdgeCue::Match> &matches, i
   double turn = 0.;
   int next = first + 1;
   for (; next < end; ++next) {
-    const double more = turnBetween(matches[static_cast<std::size_t>(next - 1)].point,
-                                    matches[static_cast<std::size_t>(next)].point);
+    const double more =
+        turnBetween(matches[static_cast<std::size_t>(next - 1)].point, matches[static_cast<std::size_t>(next)].point);
     if (turn + more > longestTurn) {
       break;
     }

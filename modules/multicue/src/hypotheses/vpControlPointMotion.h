@@ -15,7 +15,8 @@ public:
   //! Between the view's pose and \e cMo; infinite where a control point gets behind the camera.
   static double mean(const vpModelView &view, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
   {
-    return average(view, [&](const vpControlPoint &point) -> Eigen::Vector2d { return project(point, cMo, cam) - point.pixel; });
+    return average(
+        view, [&](const vpControlPoint &point) -> Eigen::Vector2d { return project(point, cMo, cam) - point.pixel; });
   }
 
   //! Between two poses.

@@ -145,9 +145,8 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
   choose(*work.draw, work.choices);
   // From where the draw itself leads: seen from the pose before, the edges that moved would be its outliers.
   work.cMo = vpPoseExponential::exp(toCamera * work.draw->motion).inverse() * cMo;
-  work.found =
-      work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
-      work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
+  work.found = work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
+               work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
   if (work.found) {
     work.error = work.solver.error(edges, work.cMo, cutoff);
   }
@@ -227,11 +226,11 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
 {
   Impl &impl = *m_impl;
   const double diameter = view.model().diameter();
-  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions *
-                             vpMotionFrame::scale(diameter).asDiagonal();
+  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions * vpMotionFrame::scale(diameter).asDiagonal();
   impl.classes.compute(edges, view, cMo, impl.toCamera, impl.settings.lambda);
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
-  impl.draws.compute(impl.classes, prior, impl.settings.mergeTolerance, impl.settings.draws, impl.settings.seed, stream);
+  impl.draws.compute(impl.classes, prior, impl.settings.mergeTolerance, impl.settings.draws, impl.settings.seed,
+                     stream);
   impl.select(limit > 0 ? limit : impl.settings.minimisations);
   impl.minimise(edges, diameter, cMo);
   impl.merge(edges, view);

@@ -9,8 +9,7 @@ namespace {
 void require(bool ok, const char *member, double value, const char *range)
 {
   if (!ok) {
-    throw vpException(vpException::badValue, "vpPoseHypothesisSettings::%s is %g, it must be %s", member, value,
-                      range);
+    throw vpException(vpException::badValue, "vpPoseHypothesisSettings::%s is %g, it must be %s", member, value, range);
   }
 }
 } // namespace

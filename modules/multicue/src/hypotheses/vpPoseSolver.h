@@ -11,7 +11,8 @@ BEGIN_VISP_NAMESPACE
 
 /*!
   ViSP's virtual visual servoing without a tracker: the robust weights of vpRobust, Gauss and Newton's step, and
-  vpExponentialMap (through vpPoseExponential), with memory of its own, so that several minimisations can run side by side.
+  vpExponentialMap (through vpPoseExponential), with memory of its own, so that several minimisations can run side by
+  side.
 */
 class vpPoseSolver
 {

@@ -20,8 +20,8 @@ public:
     double u = pixel.x();
     double v = pixel.y();
     if (cam.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion) {
-      vpMeterPixelConversion::convertPoint(cam, (u - cam.get_u0()) / cam.get_px(), (v - cam.get_v0()) / cam.get_py(),
-                                           u, v);
+      vpMeterPixelConversion::convertPoint(cam, (u - cam.get_u0()) / cam.get_px(), (v - cam.get_v0()) / cam.get_py(), u,
+                                           v);
     }
     return vpImagePoint(v, u);
   }

@@ -83,8 +83,7 @@ bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
     impl.minimisations += impl.hypotheses.minimisations();
     left -= impl.hypotheses.minimisations();
     matched = takeBestHypothesis(frame);
-    const bool moved =
-        vpControlPointMotion::between(*impl.view, cMoBefore, m_cMo, frame.camera()) >= nearMotion;
+    const bool moved = vpControlPointMotion::between(*impl.view, cMoBefore, m_cMo, frame.camera()) >= nearMotion;
     if (!moved || impl.hypotheses.hypotheses().front().residue < explained) {
       break;
     }

@@ -46,9 +46,9 @@ public:
   vpFrameSource source;
   vpEdgeCue edges;
   vpPoseHypotheses hypotheses;
-  std::uint64_t frames = 0;        // Since the start.
+  std::uint64_t frames = 0;       // Since the start.
   unsigned int minimisations = 0; // In the last frame.
-  unsigned int width = 0; // Of the images since init(); 0 before it.
+  unsigned int width = 0;         // Of the images since init(); 0 before it.
   unsigned int height = 0;
 
   // Pose estimation; members so that their memory is used again.
