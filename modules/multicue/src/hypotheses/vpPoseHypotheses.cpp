@@ -67,7 +67,8 @@ public:
 
   vpPoseHypothesisSettings settings;
   vpPoseMatrix6 freeMotions = vpPoseMatrix6::Identity();
-  vpPoseMatrix6 toCamera; // From a draw's motion to the camera's velocity.
+  vpPoseMatrix6 seenMotions = vpPoseMatrix6::Identity(); // Of the free ones those that the image shows.
+  vpPoseMatrix6 toCamera;                                // From a draw's motion to the camera's velocity.
   vpContourClasses classes;
   vpClassDraw draws;
   std::vector<std::size_t> order;
@@ -145,8 +146,8 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
   choose(*work.draw, work.choices);
   // From where the draw itself leads: seen from the pose before, the edges that moved would be its outliers.
   work.cMo = vpPoseExponential::exp(toCamera * work.draw->motion).inverse() * cMo;
-  work.found = work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
-               work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
+  work.found = work.solver.minimise(edges, &work.choices, seenMotions, diameter, work.cMo, chosenIterations) &&
+               work.solver.minimise(edges, nullptr, seenMotions, diameter, work.cMo, nearestIterations);
   if (work.found) {
     work.error = work.solver.error(edges, work.cMo, cutoff);
   }
@@ -226,7 +227,8 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
 {
   Impl &impl = *m_impl;
   const double diameter = view.model().diameter();
-  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions * vpMotionFrame::scale(diameter).asDiagonal();
+  impl.seenMotions = impl.solver.observed(edges, impl.freeMotions, diameter, cMo);
+  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.seenMotions * vpMotionFrame::scale(diameter).asDiagonal();
   impl.classes.compute(edges, view, cMo, impl.toCamera, impl.settings.lambda);
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
   impl.draws.compute(impl.classes, prior, impl.settings.mergeTolerance, impl.settings.draws, impl.settings.seed,
@@ -242,7 +244,8 @@ void vpPoseHypotheses::refine(std::size_t index, const vpEdgeCue &edges, double 
 {
   Impl::Kept &kept = m_impl->kept.at(index);
   vpHomogeneousMatrix cMo = kept.cMo;
-  if (m_impl->solver.minimise(edges, nullptr, m_impl->freeMotions, diameter, cMo, nearestIterations)) {
+  const vpPoseMatrix6 seen = m_impl->solver.observed(edges, m_impl->freeMotions, diameter, cMo);
+  if (m_impl->solver.minimise(edges, nullptr, seen, diameter, cMo, nearestIterations)) {
     kept.cMo = cMo;
     m_impl->found[index].cMo = cMo;
   }
