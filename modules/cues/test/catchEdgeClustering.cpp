@@ -75,8 +75,8 @@ struct Score
 
   double share() const { return static_cast<double>(right) / all; }
 
-  // Each curve is the class that most of its points are in; its other points are wrong, and so are those of a class that
-  // stands for two curves.
+  // Each curve is the class that most of its points are in; its other points are wrong, and so are those of a class
+  // that stands for two curves.
   void add(const vpEdgeClustering &clustering, const Scene &scene)
   {
     const int k = static_cast<int>(clustering.classes().size());
@@ -89,8 +89,7 @@ struct Score
           votes[static_cast<std::size_t>(label)] +=
               member >= 0 && scene.points[j].truth[static_cast<std::size_t>(member)] == curve ? 1 : 0;
         }
-        all += static_cast<int>(
-            std::count(scene.points[j].truth.begin(), scene.points[j].truth.end(), curve));
+        all += static_cast<int>(std::count(scene.points[j].truth.begin(), scene.points[j].truth.end(), curve));
       }
       const auto most = std::max_element(votes.begin(), votes.end());
       if (most != votes.end() && taken[static_cast<std::size_t>(most - votes.begin())] == 0) {
@@ -117,8 +116,8 @@ TEST_CASE("Two to four lines with gaps and noise are told apart in few iteration
       score.add(clustering, scene);
       iterations += clustering.iterations();
     }
-    std::cout << lines << " lines: " << 100. * score.share() << " % right, "
-              << static_cast<double>(iterations) / scenes << " iterations" << std::endl;
+    std::cout << lines << " lines: " << 100. * score.share() << " % right, " << static_cast<double>(iterations) / scenes
+              << " iterations" << std::endl;
     CHECK(score.share() > 0.98);
     CHECK(static_cast<double>(iterations) / scenes < 4.);
   }

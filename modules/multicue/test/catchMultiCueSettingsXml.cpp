@@ -86,6 +86,7 @@ TEST_CASE("Every node comes where it belongs")
   CHECK(readXml(everything) == everythingRead());
   vpMultiCueSettings keptOnly = everythingRead();
   keptOnly.edge.candidates = unusual().edge.candidates;
+  keptOnly.hypotheses = unusual().hypotheses;
   keptOnly.view.border = unusual().view.border;
   keptOnly.view.visibilitySize = unusual().view.visibilitySize;
   CHECK(readXml(everything, unusual()) == keptOnly);

@@ -107,9 +107,9 @@ inline bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
 }
 inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
 {
-  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses && a.view == b.view && a.klt == b.klt &&
-         a.useLod == b.useLod && a.minLineLength == b.minLineLength && a.minPolygonArea == b.minPolygonArea &&
-         a.clipToImage == b.clipToImage;
+  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses && a.view == b.view &&
+         a.klt == b.klt && a.useLod == b.useLod && a.minLineLength == b.minLineLength &&
+         a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
 }
 END_VISP_NAMESPACE
 

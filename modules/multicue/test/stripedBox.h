@@ -12,8 +12,8 @@ BEGIN_VISP_NAMESPACE
 class stripedBox
 {
 public:
-  static constexpr double gap = 0.008;   //!< From the right border to the stripe, metres.
-  static constexpr double wide = 0.03;   //!< Of the stripe, metres.
+  static constexpr double gap = 0.008; //!< From the right border to the stripe, metres.
+  static constexpr double wide = 0.03; //!< Of the stripe, metres.
   static constexpr unsigned char dark = 5;
 
   //! The front side, seen so that the others are hidden.

@@ -2,10 +2,9 @@
 #include <visp3/cues/vpEdgeClustering.h>
 
 #include "edge/vpClassAssignment.h"
+#include "edge/vpNormalEquations.h"
 
 #include <visp3/core/vpException.h>
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -139,31 +138,6 @@ double vpEdgeClustering::displacement(int label, double arcLength) const
   return basis(arcLength).dot(m_classes[static_cast<std::size_t>(label)].mean);
 }
 
-namespace {
-// Normal equations of a weighted least squares, without the coefficients that are not used.
-template <int Order> struct NormalEquations
-{
-  Eigen::Matrix<double, Order, Order> A = 1e-6 * Eigen::Matrix<double, Order, Order>::Identity();
-  Eigen::Matrix<double, Order, 1> b = Eigen::Matrix<double, Order, 1>::Zero();
-
-  template <typename Basis> void add(const Basis &basis, double offset, double weight)
-  {
-    for (int i = 0; i < Order; ++i) {
-      const double scaled = weight * basis(i);
-      b(i) += scaled * offset;
-      for (int j = 0; j <= i; ++j) {
-        A(i, j) += scaled * basis(j);
-      }
-    }
-  }
-  template <typename Mean> void solve(Mean &mean) const
-  {
-    mean.setZero();
-    mean.template head<Order>() = A.template selfadjointView<Eigen::Lower>().llt().solve(b);
-  }
-};
-} // namespace
-
 // Huber's estimator of the members' curve, by least squares whose weights follow the residuals: it has one solution,
 // whatever it starts from. \return False without members.
 bool vpEdgeClustering::fit(int label, Coefficients &mean, double noise, bool fresh) const
@@ -191,19 +165,19 @@ bool vpEdgeClustering::fit(int label, Coefficients &mean, double noise, bool fre
     const bool weighted = !fresh || i > 0;
     switch (m_order) {
     case 1:
-      step(NormalEquations<1>(), weighted);
+      step(vpNormalEquations<1>(), weighted);
       break;
     case 2:
-      step(NormalEquations<2>(), weighted);
+      step(vpNormalEquations<2>(), weighted);
       break;
     case 3:
-      step(NormalEquations<3>(), weighted);
+      step(vpNormalEquations<3>(), weighted);
       break;
     case 4:
-      step(NormalEquations<4>(), weighted);
+      step(vpNormalEquations<4>(), weighted);
       break;
     default:
-      step(NormalEquations<5>(), weighted);
+      step(vpNormalEquations<5>(), weighted);
       break;
     }
     if (!found) {

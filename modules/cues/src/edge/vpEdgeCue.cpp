@@ -184,8 +184,7 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block
   }
 }
 
-void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, const std::vector<int> &choices,
-                          vpResidualBlock &block) const
+void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, const std::vector<int> &choices, vpResidualBlock &block) const
 {
   if (choices.size() != m_matches.size()) {
     throw vpException(vpException::dimensionError,

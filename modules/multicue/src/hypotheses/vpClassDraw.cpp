@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "hypotheses/vpClassDraw.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,40 +13,64 @@ const double agreementNoise = 1.; // Pixels.
 const double gate = 3.;
 // A straight edge tells two things about the motion, however many control points it has.
 const double measurements = 2.;
-// After this many contours the motion is known, if it can be.
-const std::size_t decisive = 8;
-// Draws that bring nothing new, one after the other, before the search ends.
-const unsigned int patience = 8;
+// After this many contours the motion is known, if it can be, and the classes of the others follow from it.
+const std::size_t decisive = 5;
+// Draws that lead to no new motion, one after the other, before the search ends.
+const unsigned int patience = 6;
 
 // tr(A P) of symmetric matrices.
 double trace(const vpPoseMatrix6 &A, const vpPoseMatrix6 &P)
 {
   return A.cwiseProduct(P).sum();
 }
+
+// Gauss and Jordan's elimination, which needs no pivots for a covariance. Eigen's solvers take blocked products for
+// matrices of this size, ten times as long.
+void invert(vpPoseMatrix6 &M)
+{
+  for (int k = 0; k < 6; ++k) {
+    const double pivot = 1. / M(k, k);
+    M(k, k) = 1.;
+    M.col(k) *= pivot;
+    for (int j = 0; j < 6; ++j) {
+      if (j != k) {
+        const double factor = M(k, j);
+        M(k, j) = 0.;
+        M.col(j) -= factor * M.col(k);
+      }
+    }
+  }
+}
 } // namespace
 
-void vpClassDraw::compute(const vpContourClasses &classes, double prior, unsigned int count, std::uint64_t seed,
-                          std::uint64_t stream)
+void vpClassDraw::compute(const vpContourClasses &classes, double prior, double tolerance, unsigned int count,
+                          std::uint64_t seed, std::uint64_t stream)
 {
   m_prior = prior;
   m_size = 0;
-  const bool ambiguous = classes.most() > 1;
+  const unsigned int most = classes.most() > 1 ? count : 1;
   unsigned int old = 0;
-  for (unsigned int i = 0; i < (ambiguous ? count : 1U) && old < patience; ++i) {
+  for (unsigned int i = 0; i < most && old < patience; ++i) {
     if (m_draws.size() == m_size) {
       m_draws.emplace_back();
     }
     Draw &draw = m_draws[m_size];
     vpPoseRandom random(seed, {stream, i});
     drawOnce(classes, random, draw);
+    conclude(classes, draw);
     const auto end = m_draws.begin() + static_cast<std::ptrdiff_t>(m_size);
-    if (std::any_of(m_draws.begin(), end, [&](const Draw &other) { return other.classes == draw.classes; })) {
-      ++old;
+    const auto same = std::find_if(m_draws.begin(), end, [&](const Draw &other) {
+      return classes.difference(other.motion, draw.motion) < tolerance;
+    });
+    if (same == end) {
+      old = 0;
+      ++m_size;
       continue;
     }
-    old = 0;
-    conclude(classes, draw);
-    ++m_size;
+    ++old;
+    if (draw.error < same->error) {
+      std::swap(*same, draw);
+    }
   }
 }
 
@@ -71,10 +93,10 @@ std::size_t vpClassDraw::pick(const vpContourClasses &classes, vpPoseRandom &ran
   return last;
 }
 
-int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour,
-                           vpPoseRandom &random)
+// The chances of a contour's classes; they add up to the value returned.
+double vpClassDraw::findChances(const vpContourClasses &classes, const vpContourClasses::Contour &contour,
+                                Chances &chance) const
 {
-  std::array<double, vpEdgeClustering::maxClasses> chance{};
   double best = HUGE_VAL;
   for (int label = 0; label < contour.classes; ++label) {
     const vpContourClasses::Class &c = classes.at(contour, label);
@@ -89,7 +111,17 @@ int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClass
     c = classes.at(contour, label).weight * std::exp(best - c);
     sum += c;
   }
-  double left = random.uniform() * sum;
+  return sum;
+}
+
+int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour,
+                           vpPoseRandom &random) const
+{
+  if (contour.classes == 1) {
+    return 0;
+  }
+  Chances chance{};
+  double left = random.uniform() * findChances(classes, contour, chance);
   for (int label = 0; label < contour.classes; ++label) {
     left -= chance[static_cast<std::size_t>(label)];
     if (left < 0.) {
@@ -97,6 +129,16 @@ int vpClassDraw::drawClass(const vpContourClasses &classes, const vpContourClass
     }
   }
   return contour.classes - 1;
+}
+
+int vpClassDraw::likeliestClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour) const
+{
+  if (contour.classes == 1) {
+    return 0;
+  }
+  Chances chance{};
+  findChances(classes, contour, chance);
+  return static_cast<int>(std::max_element(chance.begin(), chance.begin() + contour.classes) - chance.begin());
 }
 
 void vpClassDraw::believe(const vpContourClasses::Class &chosen)
@@ -111,7 +153,8 @@ void vpClassDraw::believe(const vpContourClasses::Class &chosen)
 
 void vpClassDraw::estimate()
 {
-  m_covariance = m_information.llt().solve(vpPoseMatrix6::Identity());
+  m_covariance = m_information;
+  invert(m_covariance);
   m_motion = -m_covariance * m_gradient;
 }
 
@@ -140,7 +183,7 @@ void vpClassDraw::drawOnce(const vpContourClasses &classes, vpPoseRandom &random
   estimate();
   for (std::size_t i = 0; i < contours.size(); ++i) {
     if (m_open[i] != 0) {
-      draw.classes[i] = drawClass(classes, contours[i], random);
+      draw.classes[i] = likeliestClass(classes, contours[i]);
     }
   }
 }

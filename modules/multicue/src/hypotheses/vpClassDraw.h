@@ -8,7 +8,7 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! Draws one class for each contour, again and again, and keeps the different draws.
+//! Draws one class for each contour, again and again, and keeps of the draws that lead to one motion the best.
 class vpClassDraw
 {
 public:
@@ -22,21 +22,26 @@ public:
 
   /*!
     \param prior Standard deviation of a motion, metres.
+    \param tolerance Motions closer than this are one, see vpContourClasses::difference().
     \param count Largest number of draws.
     \param seed, stream Names of the random numbers.
   */
-  void compute(const vpContourClasses &classes, double prior, unsigned int count, std::uint64_t seed,
+  void compute(const vpContourClasses &classes, double prior, double tolerance, unsigned int count, std::uint64_t seed,
                std::uint64_t stream);
 
   void clear() { m_size = 0; }
-  //! The different draws.
+  //! The draws that lead to different motions.
   std::size_t size() const { return m_size; }
   const Draw &operator[](std::size_t i) const { return m_draws[i]; }
 
 private:
+  using Chances = std::array<double, vpEdgeClustering::maxClasses>;
+
   void drawOnce(const vpContourClasses &classes, vpPoseRandom &random, Draw &draw);
   std::size_t pick(const vpContourClasses &classes, vpPoseRandom &random);
-  int drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour, vpPoseRandom &random);
+  double findChances(const vpContourClasses &classes, const vpContourClasses::Contour &contour, Chances &chance) const;
+  int drawClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour, vpPoseRandom &random) const;
+  int likeliestClass(const vpContourClasses &classes, const vpContourClasses::Contour &contour) const;
   void believe(const vpContourClasses::Class &chosen);
   void estimate();
   void conclude(const vpContourClasses &classes, Draw &draw);

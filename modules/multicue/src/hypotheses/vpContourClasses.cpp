@@ -123,13 +123,14 @@ void vpContourClasses::linearise(const vpEdgeCue &edges, const vpHomogeneousMatr
           continue;
         }
         const vpResidual &r = m_block.rows[row++];
-        A.selfadjointView<Eigen::Lower>().rankUpdate(r.jacobian);
+        for (int k = 0; k < 6; ++k) {
+          A.col(k) += r.jacobian(k) * r.jacobian;
+        }
         b += r.error * r.jacobian;
         c += r.error * r.error;
       }
-      A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
       Class &found = m_classes[static_cast<std::size_t>(contour.firstClass + label)];
-      found.A = px * px * toCamera.transpose() * A * toCamera;
+      found.A = px * px * toCamera.transpose().lazyProduct(vpPoseMatrix6(A.lazyProduct(toCamera)));
       found.b = px * px * toCamera.transpose() * b;
       found.c = px * px * c;
     }

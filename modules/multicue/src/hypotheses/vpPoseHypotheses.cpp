@@ -16,8 +16,8 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // A minimisation of chosen candidates starts from the motion of the first order; the one of the nearest candidates
 // after it starts close to its end.
-const unsigned int chosenIterations = 6;
-const unsigned int nearestIterations = 4;
+const unsigned int chosenIterations = 4;
+const unsigned int nearestIterations = 3;
 // A pose that moved its control points by more than this many search ranges has diverged.
 const double maxMotion = 2.;
 // What an edge's place is uncertain by, its model and its noise together.
@@ -67,7 +67,8 @@ public:
 
   vpPoseHypothesisSettings settings;
   vpPoseMatrix6 freeMotions = vpPoseMatrix6::Identity();
-  vpPoseMatrix6 toCamera; // From a draw's motion to the camera's velocity.
+  vpPoseMatrix6 seenMotions = vpPoseMatrix6::Identity(); // Of the free ones those that the image shows.
+  vpPoseMatrix6 toCamera;                                // From a draw's motion to the camera's velocity.
   vpContourClasses classes;
   vpClassDraw draws;
   std::vector<std::size_t> order;
@@ -105,30 +106,17 @@ void vpPoseHypotheses::setEstimatedMotions(const vpMatrix &oJo)
   m_impl->freeMotions = vpMotionFrame::toEigen(oJo);
 }
 
-// The draws to minimise: the most coherent ones, of those that lead to the same motion the first.
+// The draws to minimise: the most coherent ones.
 void vpPoseHypotheses::Impl::select(unsigned int limit)
 {
   order.resize(draws.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [this](std::size_t a, std::size_t b) { return draws[a].error < draws[b].error; });
-  minimised = 0;
-  for (const std::size_t i : order) {
-    const vpClassDraw::Draw &draw = draws[i];
-    const auto end = works.begin() + static_cast<std::ptrdiff_t>(minimised);
-    const bool known = std::any_of(works.begin(), end, [&](const Work &work) {
-      return classes.difference(draw.motion, work.draw->motion) < settings.mergeTolerance;
-    });
-    if (known) {
-      continue;
-    }
-    if (works.size() == minimised) {
-      works.emplace_back();
-    }
-    works[minimised++].draw = &draw;
-    if (minimised == limit) {
-      break;
-    }
+  minimised = std::min<std::size_t>(order.size(), limit);
+  works.resize(std::max(works.size(), minimised));
+  for (std::size_t i = 0; i < minimised; ++i) {
+    works[i].draw = &draws[order[i]];
   }
 }
 
@@ -158,8 +146,8 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
   choose(*work.draw, work.choices);
   // From where the draw itself leads: seen from the pose before, the edges that moved would be its outliers.
   work.cMo = vpPoseExponential::exp(toCamera * work.draw->motion).inverse() * cMo;
-  work.found = work.solver.minimise(edges, &work.choices, freeMotions, diameter, work.cMo, chosenIterations) &&
-               work.solver.minimise(edges, nullptr, freeMotions, diameter, work.cMo, nearestIterations);
+  work.found = work.solver.minimise(edges, &work.choices, seenMotions, diameter, work.cMo, chosenIterations) &&
+               work.solver.minimise(edges, nullptr, seenMotions, diameter, work.cMo, nearestIterations);
   if (work.found) {
     work.error = work.solver.error(edges, work.cMo, cutoff);
   }
@@ -239,10 +227,12 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
 {
   Impl &impl = *m_impl;
   const double diameter = view.model().diameter();
-  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.freeMotions * vpMotionFrame::scale(diameter).asDiagonal();
+  impl.seenMotions = impl.solver.observed(edges, impl.freeMotions, diameter, cMo);
+  impl.toCamera = vpPoseExponential::adjoint(cMo) * impl.seenMotions * vpMotionFrame::scale(diameter).asDiagonal();
   impl.classes.compute(edges, view, cMo, impl.toCamera, impl.settings.lambda);
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
-  impl.draws.compute(impl.classes, prior, impl.settings.draws, impl.settings.seed, stream);
+  impl.draws.compute(impl.classes, prior, impl.settings.mergeTolerance, impl.settings.draws, impl.settings.seed,
+                     stream);
   impl.select(limit > 0 ? limit : impl.settings.minimisations);
   impl.minimise(edges, diameter, cMo);
   impl.merge(edges, view);
@@ -254,7 +244,8 @@ void vpPoseHypotheses::refine(std::size_t index, const vpEdgeCue &edges, double 
 {
   Impl::Kept &kept = m_impl->kept.at(index);
   vpHomogeneousMatrix cMo = kept.cMo;
-  if (m_impl->solver.minimise(edges, nullptr, m_impl->freeMotions, diameter, cMo, nearestIterations)) {
+  const vpPoseMatrix6 seen = m_impl->solver.observed(edges, m_impl->freeMotions, diameter, cMo);
+  if (m_impl->solver.minimise(edges, nullptr, seen, diameter, cMo, nearestIterations)) {
     kept.cMo = cMo;
     m_impl->found[index].cMo = cMo;
   }

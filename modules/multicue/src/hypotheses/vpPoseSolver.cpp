@@ -11,7 +11,7 @@ BEGIN_VISP_NAMESPACE
 namespace {
 const std::size_t minRows = 6;
 // An iteration that moves the control points by less than this in the mean has converged.
-const double convergedMotion = 0.02; // Pixels.
+const double convergedMotion = 0.05; // Pixels.
 } // namespace
 
 bool vpPoseSolver::step(const vpPoseMatrix6 &toCamera, vpPoseTangent &velocity)
@@ -74,6 +74,28 @@ bool vpPoseSolver::minimise(const vpEdgeCue &edges, const std::vector<int> *choi
     }
   }
   return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); }) && cMo[2][3] > 0.;
+}
+
+vpPoseMatrix6 vpPoseSolver::observed(const vpEdgeCue &edges, const vpPoseMatrix6 &freeMotions, double diameter,
+                                     const vpHomogeneousMatrix &cMo)
+{
+  edges.residuals(cMo, m_block);
+  vpPoseMatrix6 information = vpPoseMatrix6::Zero();
+  for (const vpResidual &row : m_block.rows) {
+    for (int k = 0; k < 6; ++k) {
+      information.col(k) += row.jacobian(k) * row.jacobian;
+    }
+  }
+  const vpPoseTangent scale = vpMotionFrame::scale(diameter);
+  const vpPoseMatrix6 toCamera = vpPoseExponential::adjoint(cMo) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<vpPoseMatrix6> solver(toCamera.transpose() * information * toCamera);
+  vpPoseMatrix6 seen = vpPoseMatrix6::Zero();
+  for (int k = 0; k < 6; ++k) {
+    if (solver.eigenvalues()(k) > vpMotionFrame::leastInformation * solver.eigenvalues()(5)) {
+      seen += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose();
+    }
+  }
+  return scale.asDiagonal() * seen * scale.cwiseInverse().asDiagonal() * freeMotions;
 }
 
 double vpPoseSolver::error(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo, double cutoff)

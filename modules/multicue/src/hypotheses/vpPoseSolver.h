@@ -29,6 +29,15 @@ public:
   bool minimise(const vpEdgeCue &edges, const std::vector<int> *choices, const vpPoseMatrix6 &freeMotions,
                 double diameter, vpHomogeneousMatrix &cMo, unsigned int iterations);
 
+  /*!
+    \return Of the motions in \e freeMotions those that the image shows, a projector in the object frame: limbs and
+    circles leave some that nothing shows. To be asked at the pose of the match, where the candidates are on the control
+    points' normals; elsewhere their distances seem to tell of such motions. \param cMo That pose. \param diameter Of
+    the object, metres.
+  */
+  vpPoseMatrix6 observed(const vpEdgeCue &edges, const vpPoseMatrix6 &freeMotions, double diameter,
+                         const vpHomogeneousMatrix &cMo);
+
   //! Mean over the control points of the squared distance to the nearest candidate, square pixels. \param cutoff What a
   //! distance counts at most, and a control point without candidates, pixels.
   double error(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo, double cutoff);

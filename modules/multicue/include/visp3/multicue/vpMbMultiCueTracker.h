@@ -131,8 +131,8 @@ public:
   void setMovingEdge(const vpMe &me, vpEdgeCueSettings::ThresholdScale scale);
   void setEdgeSettings(const vpEdgeCueSettings &settings);
   vpEdgeCueSettings getEdgeSettings() const;
-  //! Several poses for each image, see vpPoseHypotheses; with vpEdgeCueSettings::candidates above 1. Off by default.
-  //! \throw vpException naming what is out of range.
+  //! Several poses for each image, see vpPoseHypotheses; with vpEdgeCueSettings::candidates above 1, best 5. Off by
+  //! default. \throw vpException naming what is out of range.
   void setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings);
   vpPoseHypothesisSettings getPoseHypothesisSettings() const;
   void setColorSettings(const vpColorCueSettings &settings);

@@ -17,7 +17,7 @@ struct VISP_EXPORT vpPoseHypothesisSettings
   //! Selectivity of a draw, [T10] eq. 4: the class with the largest residue is exp(-lambda) times as likely as the best
   //! one, [0, 100].
   double lambda = 1.;
-  unsigned int draws = 40;        //!< Largest number of draws in a frame, [1, 10000].
+  unsigned int draws = 25;        //!< Largest number of draws for a match, [1, 10000].
   unsigned int minimisations = 5; //!< Largest number of draws that are minimised in a frame, [1, 1000].
   //! Poses whose control points are closer to one another than this in the mean are one pose, pixels, (0, 100].
   double mergeTolerance = 1.;
@@ -117,7 +117,7 @@ public:
   const std::vector<Contour> &contours() const;
   //! The potential edges of the last find().
   std::vector<Line> lines() const;
-  //! Number of different draws in the last find().
+  //! Number of draws in the last find() that led to different motions.
   unsigned int differentDraws() const;
   //! Number of draws that were minimised in the last find().
   unsigned int minimisations() const;
