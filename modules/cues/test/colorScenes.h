@@ -66,7 +66,7 @@ inline Color printed(const Eigen::Vector3d &oX)
   return patch < 0.2 ? Color(235., 230., 215.) : patch < 0.5 ? Color(150., 35., 30.) : Color(210., 60., 40.);
 }
 
-//! The letters' colours: of a place on the object (metres, object frame), and of a pixel of the background.
+//! What is drawn: the colour of a place on the object (metres, object frame), and that of a pixel of the background.
 struct Paint
 {
   std::function<Color(const Eigen::Vector3d &)> object = printed;
