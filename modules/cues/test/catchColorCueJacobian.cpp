@@ -59,7 +59,7 @@ TEST_CASE("interaction matrices are the derivatives of the errors", "[color-jaco
     cue.match(frame, scene.look(cMo));
     cue.residuals(nearby(), block);
     const bool isFine = level >= cue.settings().scales.size();
-    REQUIRE(block.rows.size() >= (isFine ? (color ? 30U : 10U) : 1U) * cue.lines().size());
+    REQUIRE(block.rows.size() >= (isFine ? (color ? 15U : 5U) : 1U) * cue.lines().size());
     const double step = 1e-6;
     for (int i = 0; i < 6; ++i) {
       cue.residuals(movedBy(nearby(), velocityAlong(i, -step)), before);
