@@ -6,6 +6,7 @@
 
 #include <visp3/core/vpExponentialMap.h>
 #include <visp3/core/vpRobust.h>
+#include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
 
 #include <benchmark/benchmark.h>
@@ -79,6 +80,62 @@ inline void matchEdges(benchmark::State &state, BenchScene &scene)
     match.cue.match(match.frame, match.view);
   }
   state.counters["points"] = static_cast<double>(match.view.points().size());
+}
+
+//! A colour cue that knows the image at its pose.
+struct ColorMatch
+{
+  explicit ColorMatch(BenchScene &scene) : view(scene.model())
+  {
+    vpCpuRenderer renderer(scene.model());
+    vpModelViewOptions options = scene.viewOptions();
+    options.sampleStep = 3.;
+    view.compute(cMo, scene.camera(), scene.width(), scene.height(), options, &renderer);
+    vpColorCueSettings settings;
+    settings.spacing = 3.;
+    cue.setSettings(settings);
+    frame = source.frame(scene.colorImage(), scene.camera(), nullptr);
+    cue.match(frame, view);
+    cue.residuals(cMo, block);
+    cue.updateReference(cMo, std::vector<double>(block.rows.size(), 1.));
+  }
+
+  vpHomogeneousMatrix cMo = BenchScene::pose(1);
+  vpFrameSource source;
+  vpCueFrame frame;
+  vpModelView view;
+  vpColorCue cue;
+  vpResidualBlock block;
+};
+
+//! The finest level: statistics and samples of all lines, and the rows of three iterations.
+inline void matchColor(benchmark::State &state, BenchScene &scene)
+{
+  ColorMatch match(scene);
+  for (auto _ : state) {
+    match.cue.match(match.frame, match.view);
+    for (int k = 0; k < 3; ++k) {
+      match.cue.residuals(match.cMo, match.block);
+    }
+  }
+  state.counters["lines"] = static_cast<double>(match.cue.lines().size());
+}
+
+//! All levels, each with its match and the rows of three iterations.
+inline void matchColorLevels(benchmark::State &state, BenchScene &scene)
+{
+  ColorMatch match(scene);
+  for (auto _ : state) {
+    for (unsigned int level = 0; level < match.cue.levels(); ++level) {
+      match.cue.setLevel(level);
+      match.cue.match(match.frame, match.view);
+      for (int k = 0; k < 3; ++k) {
+        match.cue.residuals(match.cMo, match.block);
+      }
+    }
+  }
+  state.counters["levels"] = match.cue.levels();
+  state.counters["lines"] = static_cast<double>(match.cue.lines().size());
 }
 
 /*!

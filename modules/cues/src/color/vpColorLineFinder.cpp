@@ -10,6 +10,8 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
+const double mostOverlap = 3.; // Pixels.
+
 std::uint32_t toNumber(const vpRGBa &pixel)
 {
   std::uint32_t number = 0;
@@ -50,7 +52,8 @@ void vpColorLineFinder::choose(const vpModelView &view)
     const int count =
         std::max(1, std::min(contour.count, static_cast<int>(contour.count * contour.step / spacing + 0.01)));
     const double length = contour.count * contour.step / count;
-    const double half = 0.5 * length + std::min(1., 0.25 * length);
+    // Longer than the contour's share, for points beside a corner may be missing.
+    const double half = 0.5 * length + std::min(mostOverlap, 0.5 * length);
     for (int k = 0; k < count; ++k) {
       const int i = (2 * k + 1) * contour.count / (2 * count);
       const vpControlPoint &point = view.points()[static_cast<std::size_t>(contour.first + i)];

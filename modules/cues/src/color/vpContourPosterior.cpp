@@ -19,6 +19,12 @@ vpContourPosterior::vpContourPosterior(const vpColorCue &cue)
   for (int i = 0; i < 2 * around; ++i) {
     m_step[static_cast<std::size_t>(i)] = static_cast<float>(-2. * height * std::tanh((i - around + 0.5) / width));
   }
+  // A contour may be anywhere between two borders; and a line that tells nothing has all borders alike.
+  m_spread = m_scale * m_scale / 12.;
+  m_noInformation = m_spread + m_contourVariance;
+  for (int c = -borders; c <= borders; ++c) {
+    m_noInformation += placeOf(c) * placeOf(c) / (2 * borders + 1);
+  }
 }
 
 // The object's probability in each segment; one half where there are no pixels that may be used.
@@ -27,8 +33,10 @@ void vpContourPosterior::join(const std::uint32_t *pixels, const vpColorCue::Lin
   for (int segment = -half; segment < half; ++segment) {
     float inside = 1.F;
     float outside = 1.F;
-    const int end = std::min((segment + 1) * m_scale, line.last + 1);
-    for (int k = std::max(segment * m_scale, line.first); k < end; ++k) {
+    // The pixel in the middle belongs to neither side, so that both are alike.
+    const int middle = segment < 0 ? 0 : 1;
+    const int end = std::min((segment + 1) * m_scale + middle, line.last + 1);
+    for (int k = std::max(segment * m_scale + middle, line.first); k < end; ++k) {
       const float p = m_histograms.object(pixels[k]);
       inside *= p;
       outside *= 1.F - p;
@@ -52,18 +60,15 @@ void vpContourPosterior::evaluate(const std::uint32_t *pixels, vpColorCue::Line 
     for (std::size_t i = 0; i < 2 * around; ++i) {
       p *= 0.5F + m_step[i] * (segments[i] - 0.5F);
     }
+    const double place = placeOf(c);
     sum += static_cast<double>(p);
-    first += c * static_cast<double>(p);
-    second += c * c * static_cast<double>(p);
+    first += place * static_cast<double>(p);
+    second += place * place * static_cast<double>(p);
   }
   const double mean = first / sum;
-  const double variance = second / sum - mean * mean + 1. / 12.;
-  // What a line tells that tells nothing: all borders alike.
-  const double noInformation = borders * (borders + 1) / 3. + 1. / 12.;
-  // Border 0 is between the pixels at offsets -1 and 0.
-  line.offset = m_scale * mean - 0.5;
-  const double square = m_scale * m_scale;
-  const double information = 1. / (square * variance + m_contourVariance) - 1. / (square * noInformation);
+  const double variance = second / sum - mean * mean + m_spread;
+  line.offset = mean;
+  const double information = 1. / (variance + m_contourVariance) - 1. / m_noInformation;
   line.scale = std::sqrt(std::max(0., information));
 }
 

@@ -23,7 +23,7 @@ public:
   static constexpr int around = 4;  //!< Segments that count on both sides of a border.
 
   //! \return Pixels that a line has on both sides.
-  static int reach(unsigned int scale) { return (borders + around) * static_cast<int>(scale); }
+  static int reach(unsigned int scale) { return (borders + around) * static_cast<int>(scale) + 1; }
 
   explicit vpContourPosterior(const vpColorCue &cue);
 
@@ -34,11 +34,15 @@ private:
   static constexpr int half = borders + around;
   using Segments = std::array<float, 2 * half>;
 
+  // Of a border, pixels.
+  double placeOf(int border) const { return border * m_scale + (border > 0 ? 0.5 : border < 0 ? -0.5 : 0.); }
   void join(const std::uint32_t *pixels, const vpColorCue::Line &line, Segments &object) const;
 
   const vpColorHistograms &m_histograms;
   int m_scale;
-  double m_contourVariance;             // Square pixels.
+  double m_contourVariance;             // Variances of a contour's place, square pixels: by the model,
+  double m_spread;                      // by the segments' size,
+  double m_noInformation;               // and where it may be anywhere within reach.
   std::array<float, 2 * around> m_step; // 2 h - 1 of the segments around a border, from inside outwards.
 };
 

@@ -11,6 +11,8 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // The contour may move by this much between match() and residuals() before pixels are missed beside it.
 const int leeway = 2; // Pixels.
+// Pixels farther away, in bands, hardly tell where the contour is.
+const double bandReach = 2.5;
 } // namespace
 
 template <int N> void vpFineMatch<N>::run()
@@ -58,7 +60,8 @@ template <int N> void vpFineMatch<N>::addSample(double t, double a, const Vector
   const Matrix spread = share * sides.objectSpread + (1.F - share) * sides.backgroundSpread;
   const Vector b = sides.background - color;
   const Vector d = sides.object - sides.background;
-  vpColorCue::Sample sample;
+  m_cue.m_samples.emplace_back();
+  vpColorCue::Sample &sample = m_cue.m_samples.back();
   sample.t = t;
   if (m_cue.m_settings.rows == vpColorCueSettings::PIXELS) {
     const Eigen::LLT<Matrix> root(spread); // spread = L L^T, so C = L^-1
@@ -73,14 +76,13 @@ template <int N> void vpFineMatch<N>::addSample(double t, double a, const Vector
     sample.bd = static_cast<double>(b.dot(weighted));
     sample.dd = static_cast<double>(d.dot(weighted));
   }
-  m_cue.m_samples.push_back(sample);
 }
 
 template <int N> void vpFineMatch<N>::addSamples(std::size_t index, const Sides &sides)
 {
   vpColorCue::Line &line = m_cue.m_lines[index];
   const std::uint32_t *pixels = m_cue.strip(index);
-  const int reach = static_cast<int>(std::ceil(3. * m_band)) + leeway;
+  const int reach = static_cast<int>(std::ceil(bandReach * m_band)) + leeway;
   const vpMembership &membership = vpMembership::table();
   const vpLinePixels places(line);
   line.sampleFirst = static_cast<int>(m_cue.m_samples.size());

@@ -54,7 +54,7 @@ private:
   {
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
       const double x = static_cast<double>(i) / density - limit;
-      m_nodes[i] = {0.5 * std::erfc(x * M_SQRT1_2), std::exp(-0.5 * x * x) / std::sqrt(2. * M_PI)};
+      m_nodes[i] = {0.5 * std::erfc(x / std::sqrt(2.)), std::exp(-0.5 * x * x) / std::sqrt(2. * M_PI)};
     }
   }
 

@@ -14,7 +14,7 @@ struct VISP_EXPORT vpColorCueSettings
   //! What one equation stands for on the fine levels.
   enum Rows
   {
-    LINES, //!< One row for each line across the contour: the same normal equations as PIXELS, in a twentieth of the
+    LINES, //!< One row for each line across the contour: the same normal equations as PIXELS, in a thirtieth of the
            //!< rows, and a robust estimator judges a control point as a whole, as [P14] eq. 9 does.
     PIXELS //!< One row for each pixel and channel, [P14] eq. 8.
   };

@@ -26,6 +26,8 @@ public:
     BACKGROUND
   };
 
+  vpColorHistograms() { reset(3); }
+
   //! Forgets everything. \param channels 1 or 3.
   void reset(unsigned int channels);
   unsigned int channels() const { return m_channels; }
