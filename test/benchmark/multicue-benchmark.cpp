@@ -38,6 +38,7 @@ const std::vector<Stage> stages = {
     {"frame-color", bench::frameOfColor, Models::BOX_ALONE, false},
     {"frame-distorted", bench::frameOfDistorted, Models::BOX_ALONE, false},
     {"match-edges", bench::matchEdges, Models::ALL, false},
+    {"match-points", bench::matchPoints, Models::ALL, false},
     {"vvs-iteration", bench::iterateVvs, Models::ALL, false},
     {"track", bench::trackOurs, Models::ALL, false},
     {"track-visp", bench::trackVisp, Models::BOX_ALONE, false},

@@ -14,9 +14,10 @@ namespace {
 const double areaMargin = 40.; // Pixels.
 // Areas grow by this much at once, so that two frames seldom need areas of different size.
 const int areaStep = 64; // Pixels.
-// A patch that was followed from the last frame is there; one that was expected by the pose alone is near.
-const float reachOfFlow = 2.F;        // Pixels.
-const float reachOfExpectation = 3.F; // Pixels.
+// A patch that was followed from the last frame is there; one that was expected by the pose alone is near, and has to
+// be like itself to be believed.
+const vpSurfacePatch::Limits followed = {2.F, 0.8F};
+const vpSurfacePatch::Limits expected = {3.F, 0.9F};
 const double patchRoom = vpSurfacePatch::half + 2.;
 // Occluders pass, images are blurred: a point is looked for in so many trusted frames more.
 const int mostMisses = 3;
@@ -149,15 +150,14 @@ void vpPointTracks::findTracks(const vpCueFrame &frame, const vpPointCamera &cam
   m_flow.run(m_reference, m_current, m_settings);
   const cv::Point2f correction = m_flow.medianCorrection();
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const bool isFollowed = m_flowOf[i] >= 0;
-    const std::size_t flow = isFollowed ? static_cast<std::size_t>(m_flowOf[i]) : 0;
-    if (isFollowed && !m_flow.isFound(flow)) {
-      continue;
-    }
+    // KLT knows nothing of turned or scaled windows: where it fails, the patch may still be where it is expected.
+    const std::size_t flow = static_cast<std::size_t>(std::max<std::ptrdiff_t>(m_flowOf[i], 0));
+    const bool isFollowed = m_flowOf[i] >= 0 && m_flow.isFound(flow);
     cv::Point2f place = isFollowed ? m_flow.place(flow) : m_current.inArea(matches[i].pixel) + correction;
     const Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
-    const Eigen::Matrix2d distortion = track.surface.distortion(camera, camera.toCamera(track.surface.position));
-    if (!track.patch.align(m_current.pixels(), distortion, isFollowed ? reachOfFlow : reachOfExpectation, place)) {
+    Eigen::Matrix2d distortion;
+    const vpSurfacePatch &patch = lookFor(track, camera, distortion).patch;
+    if (!patch.align(m_current.pixels(), distortion, isFollowed ? followed : expected, place)) {
       continue;
     }
     const Eigen::Vector2d pixel = m_current.inImage(place);
@@ -218,11 +218,15 @@ void vpPointTracks::learn(const vpHomogeneousMatrix &cMo, const std::vector<vpPo
       Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
       track.misses = 0;
       track.pixel = matches[i].pixel;
+    }
+  }
+  const auto lost = [&](const Track &track) { return isLost(track, camera); };
+  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), lost), m_tracks.end());
+  for (Track &track : m_tracks) {
+    if (track.misses == 0) {
       renew(track, camera);
     }
   }
-  const auto lost = [&](Track &track) { return isLost(track, camera); };
-  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), lost), m_tracks.end());
   std::fill(m_trackOf.begin(), m_trackOf.end(), -1);
   ++m_age;
   if (m_wantsPoints && depth) {
@@ -234,19 +238,33 @@ void vpPointTracks::learn(const vpHomogeneousMatrix &cMo, const std::vector<vpPo
   m_wantsPoints = false;
 }
 
+const vpPointTracks::Look &vpPointTracks::lookFor(const Track &track, const vpPointCamera &camera,
+                                                  Eigen::Matrix2d &distortion) const
+{
+  const Eigen::Matrix<double, 2, 3> derivative =
+      camera.derivative(camera.toCamera(track.surface.position)) * camera.cRo;
+  distortion = derivative * track.first.across;
+  if (!track.hasLater || vpSurfacePatch::isSimilar(distortion)) {
+    return track.first;
+  }
+  distortion = derivative * track.later.across;
+  return track.later;
+}
+
 void vpPointTracks::renew(Track &track, const vpPointCamera &camera)
 {
-  const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
-  const Eigen::Matrix2d distortion = track.surface.distortion(camera, cX);
-  if (!(cX.z() > 0.) || vpSurfacePatch::isSimilar(distortion) || !(std::fabs(distortion.determinant()) > 1e-6)) {
+  Eigen::Matrix2d distortion;
+  const Look &look = lookFor(track, camera, distortion);
+  if (vpSurfacePatch::isSimilar(distortion) || !(std::fabs(distortion.determinant()) > 1e-6)) {
     return;
   }
   // Seen from too far elsewhere: the place where it was found is kept, and shown as it looks now.
-  track.patch.take(m_reference.pixels(), m_reference.inArea(track.pixel));
-  track.surface.across = (track.surface.across * distortion.inverse()).eval();
+  track.later.across = (look.across * distortion.inverse()).eval();
+  track.later.patch.take(m_reference.pixels(), m_reference.inArea(track.pixel));
+  track.hasLater = true;
 }
 
-bool vpPointTracks::isLost(Track &track, const vpPointCamera &camera) const
+bool vpPointTracks::isLost(const Track &track, const vpPointCamera &camera) const
 {
   const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
   return track.misses > mostMisses || !(cX.z() > 0.) || !track.surface.isFacing(camera, cX) ||
@@ -288,7 +306,8 @@ void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView 
     track.pixel = m_reference.inImage(corner);
     if (m_reference.contains(track.pixel, patchRoom) && reader.read(camera, track.pixel, track.surface) &&
         track.surface.isFacing(camera, camera.toCamera(track.surface.position))) {
-      track.patch.take(m_reference.pixels(), corner);
+      track.first.across = track.surface.across;
+      track.first.patch.take(m_reference.pixels(), corner);
       m_tracks.push_back(track);
     }
   }
