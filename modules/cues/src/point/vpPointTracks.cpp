@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "point/vpPointTracks.h"
 
+#include "point/vpPointArea.h"
+
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>
 
@@ -10,10 +12,6 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// How far points may be from where they are expected, and the window around them.
-const double areaMargin = 40.; // Pixels.
-// Areas grow by this much at once, so that two frames seldom need areas of different size.
-const int areaStep = 64; // Pixels.
 // A patch that was followed from the last frame is there; one that was expected by the pose alone is near, and has to
 // be like itself to be believed.
 const vpSurfacePatch::Limits followed = {2.F, 0.8F};
@@ -25,53 +23,6 @@ const double refreshShare = 0.75;
 const int refreshAge = 10; // Trusted frames.
 // Masks are looked at once for each block when new points are chosen; a found point is always checked by itself.
 const int maskBlock = 4; // Pixels.
-
-// The rectangle around the model's projected box, empty where it cannot be seen.
-cv::Rect expectedArea(const vpModelView &view, const vpPointCamera &camera, const cv::Size &size)
-{
-  const cv::Rect whole(cv::Point(), size);
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL);
-  Eigen::Vector2d high = -low;
-  for (int k = 0; k < 8; ++k) {
-    const Eigen::Vector3d &a = view.model().boxMin();
-    const Eigen::Vector3d &b = view.model().boxMax();
-    const Eigen::Vector3d cX =
-        camera.toCamera({(k & 1) != 0 ? a.x() : b.x(), (k & 2) != 0 ? a.y() : b.y(), (k & 4) != 0 ? a.z() : b.z()});
-    if (!(cX.z() > 1e-3)) {
-      return cX.z() <= 1e-3 ? whole : cv::Rect();
-    }
-    const Eigen::Vector2d pixel = camera.project(cX);
-    low = low.cwiseMin(pixel);
-    high = high.cwiseMax(pixel);
-  }
-  low = (low.array() - areaMargin).cwiseMax(0.);
-  high = (high.array() + areaMargin + 1.).min(Eigen::Array2d(size.width, size.height));
-  if (!(high.x() - low.x() > 1. && high.y() - low.y() > 1.)) {
-    return cv::Rect();
-  }
-  return cv::Rect(cv::Point(static_cast<int>(low.x()), static_cast<int>(low.y())),
-                  cv::Point(static_cast<int>(high.x()), static_cast<int>(high.y())));
-}
-
-cv::Rect placed(const cv::Size &size, const cv::Rect &around, const cv::Size &image)
-{
-  const auto start = [](int from, int length, int size, int most) {
-    return std::max(std::min(from + (length - size) / 2, most - size), 0);
-  };
-  return cv::Rect(cv::Point(start(around.x, around.width, size.width, image.width),
-                            start(around.y, around.height, size.height, image.height)),
-                  size);
-}
-
-// The size that was used before, where it is neither too small nor far too large.
-cv::Size sizeFor(const cv::Rect &needed, const cv::Rect &before, const cv::Size &image)
-{
-  if (needed.width <= before.width && needed.height <= before.height && before.area() < 3 * needed.area()) {
-    return before.size();
-  }
-  const auto rounded = [](int length) { return (length + areaStep - 1) / areaStep * areaStep; };
-  return cv::Size(std::min(rounded(needed.width), image.width), std::min(rounded(needed.height), image.height));
-}
 } // namespace
 
 void vpPointTracks::forget()
@@ -100,7 +51,7 @@ bool vpPointTracks::prepareImage(const vpCueFrame &frame, const vpModelView &vie
     m_camera = frame.camera();
     m_currentNumber = 0;
   }
-  const cv::Rect needed = expectedArea(view, vpPointCamera(view.pose(), m_camera), size);
+  const cv::Rect needed = vpPointArea::expected(view, vpPointCamera(view.pose(), m_camera), size);
   if (needed.area() == 0) {
     m_currentNumber = 0;
     return false;
@@ -109,11 +60,12 @@ bool vpPointTracks::prepareImage(const vpCueFrame &frame, const vpModelView &vie
     return true;
   }
   const cv::Rect before = m_reference.isEmpty() ? cv::Rect() : m_reference.area();
-  const cv::Size wanted = sizeFor(needed, before, size);
+  const cv::Size wanted = vpPointArea::size(needed, before, size);
   if (!m_reference.isEmpty() && wanted != before.size()) {
-    m_reference.move(placed(wanted, before, size), m_settings.windowSize, m_settings.pyramidLevels);
+    m_reference.move(vpPointArea::placed(wanted, before, size), m_settings.windowSize, m_settings.pyramidLevels);
   }
-  m_current.build(frame.gray(), placed(wanted, needed, size), m_settings.windowSize, m_settings.pyramidLevels);
+  m_current.build(frame.gray(), vpPointArea::placed(wanted, needed, size), m_settings.windowSize,
+                  m_settings.pyramidLevels);
   m_currentNumber = frame.number();
   return true;
 }
