@@ -8,7 +8,7 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 // How far points may be from where they are expected, and the window around them.
-const double areaMargin = 40.; // Pixels.
+const double areaMargin = 32.; // Pixels.
 // Areas grow by this much at once, so that two frames seldom need areas of different size.
 const int areaStep = 64; // Pixels.
 } // namespace
