@@ -40,6 +40,7 @@ const std::vector<Stage> stages = {
     {"match-edges", bench::matchEdges, Models::ALL, false},
     {"match-color", bench::matchColor, Models::ALL, false},
     {"match-color-levels", bench::matchColorLevels, Models::ALL, false},
+    {"match-points", bench::matchPoints, Models::ALL, false},
     {"vvs-iteration", bench::iterateVvs, Models::ALL, false},
     {"track", bench::trackOurs, Models::ALL, false},
     {"track-visp", bench::trackVisp, Models::BOX_ALONE, false},

@@ -174,6 +174,21 @@ TEST_CASE("a source follows the camera and the size", "[cue-frame]")
   }
 }
 
+TEST_CASE("every frame has a number of its own", "[cue-frame]")
+{
+  CHECK(vpCueFrame().number() == 0);
+  vpFrameSource first;
+  vpFrameSource second;
+  const vpImage<unsigned char> I(30, 40, 77);
+  const vpImage<vpRGBa> color(30, 40, vpRGBa(1, 2, 3));
+  const unsigned long long a = first.frame(I, withDistortion(0.), nullptr).number();
+  const unsigned long long b = second.frame(I, withDistortion(0.), nullptr).number();
+  const unsigned long long c = first.frame(color, withDistortion(0.1), nullptr).number();
+  CHECK(a > 0);
+  CHECK(b > a);
+  CHECK(c > b);
+}
+
 TEST_CASE("gray colours are gray levels", "[cue-frame]")
 {
   vpFrameSource source;

@@ -191,3 +191,26 @@ TEST_CASE("Silhouettes have background beside them, inner edges have surface on 
   CHECK(clear > 10);
   CHECK(wrong == 0);
 }
+
+TEST_CASE("A view knows its pose, and its depth where it had to draw it")
+{
+  Looker letter(shape("letter L"));
+  CHECK(letter.view().depth() == nullptr);
+  for (const double distance : distances) {
+    const vpHomogeneousMatrix cMo(-0.05, -0.05, distance, 0.4, 0.2, 0.1);
+    letter.look(cMo);
+    for (unsigned int i = 0; i < 4; ++i) {
+      for (unsigned int j = 0; j < 4; ++j) {
+        CHECK(letter.view().pose()[i][j] == cMo[i][j]);
+      }
+    }
+    REQUIRE(letter.view().depth() != nullptr);
+    const Pixel pixel = letter.project(Point(0.03, 0.03, 0.));
+    const int at = letter.view().depth()->index(pixel.x(), pixel.y());
+    REQUIRE(at >= 0);
+    CHECK(letter.view().depth()->depth[static_cast<std::size_t>(at)] == Approx(letter.castRay(pixel)).epsilon(0.01));
+  }
+  Looker box(build(boxPolygons(Point(0.1, 0.1, 0.1))));
+  box.look(vpHomogeneousMatrix(0., 0., 0.5, 0.4, 0.2, 0.1));
+  CHECK(box.view().depth() == nullptr); // Nothing of it can hide anything.
+}

@@ -8,6 +8,7 @@
 #include <visp3/core/vpRobust.h>
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
+#include <visp3/cues/vpPointCue.h>
 
 #include <benchmark/benchmark.h>
 
@@ -136,6 +137,55 @@ inline void matchColorLevels(benchmark::State &state, BenchScene &scene)
   }
   state.counters["levels"] = match.cue.levels();
   state.counters["lines"] = static_cast<double>(match.cue.lines().size());
+}
+
+//! A point cue that made its points in image 0 and looks for them in image 1. The model gets a pattern: the scene's own
+//! images have plain sides.
+struct PointMatch
+{
+  explicit PointMatch(BenchScene &scene) : view(scene.model()), renderer(scene.model())
+  {
+    cue.setDepthSource([&](const vpHomogeneousMatrix &pose) {
+      renderer.render(pose, scene.camera(), scene.width(), scene.height(), vpRenderOptions(), depth);
+      return &depth;
+    });
+    view.compute(cMo, scene.camera(), scene.width(), scene.height(), scene.viewOptions(), &renderer);
+    DrawnImages drawn(scene.model(), DrawnImages::Surface::MARBLE);
+    first = drawn.draw(cMo, scene.camera(), scene.width(), scene.height());
+    second = drawn.draw(BenchScene::pose(1), scene.camera(), scene.width(), scene.height());
+    cue.match(source.frame(first, scene.camera(), nullptr), view);
+    cue.updateReference(cMo, {});
+  }
+
+  vpHomogeneousMatrix cMo = BenchScene::pose(0);
+  vpFrameSource source;
+  vpImage<unsigned char> first, second;
+  vpModelView view;
+  vpCpuRenderer renderer;
+  vpRenderedView depth;
+  vpPointCue cue;
+};
+
+//! A new image's pyramid, and the points in it: there, back, and aligned.
+inline void matchPoints(benchmark::State &state, BenchScene &scene)
+{
+  if (!vpPointCue::isAvailable()) {
+    state.SkipWithError("this build has no point cue");
+    return;
+  }
+  PointMatch match(scene);
+  std::size_t found = 0;
+  for (auto _ : state) {
+    match.cue.match(match.source.frame(match.second, scene.camera(), nullptr), match.view);
+  }
+  for (const vpPointCue::Match &point : match.cue.matches()) {
+    found += point.found ? 1 : 0;
+  }
+  if (2 * found < match.cue.pointCount() || found == 0) {
+    failBenchmark(state, "most points were lost");
+  }
+  state.counters["points"] = static_cast<double>(match.cue.pointCount());
+  state.counters["found"] = static_cast<double>(found);
 }
 
 /*!

@@ -27,6 +27,9 @@ public:
   cv::Point2f medianCorrection();
 
 private:
+  // The way back needs no more levels of the pyramid than the points went far from their seeds.
+  int levelsBack();
+
   std::vector<cv::Point2f> m_from, m_seed, m_to, m_back;
   std::vector<unsigned char> m_found, m_foundBack;
   std::vector<float> m_error, m_sorted;

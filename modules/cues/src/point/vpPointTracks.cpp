@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "point/vpPointTracks.h"
 
+#include "point/vpPointArea.h"
+
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>
 
@@ -10,13 +12,10 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// How far points may be from where they are expected, and the window around them.
-const double areaMargin = 40.; // Pixels.
-// Areas grow by this much at once, so that two frames seldom need areas of different size.
-const int areaStep = 64; // Pixels.
-// A patch that was followed from the last frame is there; one that was expected by the pose alone is near.
-const float reachOfFlow = 2.F;        // Pixels.
-const float reachOfExpectation = 3.F; // Pixels.
+// A patch that was followed from the last frame is there; one that was expected by the pose alone is near, and has to
+// be like itself to be believed.
+const vpSurfacePatch::Limits followed = {2.F, 0.8F};
+const vpSurfacePatch::Limits expected = {3.F, 0.9F};
 const double patchRoom = vpSurfacePatch::half + 2.;
 // Occluders pass, images are blurred: a point is looked for in so many trusted frames more.
 const int mostMisses = 3;
@@ -24,53 +23,6 @@ const double refreshShare = 0.75;
 const int refreshAge = 10; // Trusted frames.
 // Masks are looked at once for each block when new points are chosen; a found point is always checked by itself.
 const int maskBlock = 4; // Pixels.
-
-// The rectangle around the model's projected box, empty where it cannot be seen.
-cv::Rect expectedArea(const vpModelView &view, const vpPointCamera &camera, const cv::Size &size)
-{
-  const cv::Rect whole(cv::Point(), size);
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL);
-  Eigen::Vector2d high = -low;
-  for (int k = 0; k < 8; ++k) {
-    const Eigen::Vector3d &a = view.model().boxMin();
-    const Eigen::Vector3d &b = view.model().boxMax();
-    const Eigen::Vector3d cX =
-        camera.toCamera({(k & 1) != 0 ? a.x() : b.x(), (k & 2) != 0 ? a.y() : b.y(), (k & 4) != 0 ? a.z() : b.z()});
-    if (!(cX.z() > 1e-3)) {
-      return cX.z() <= 1e-3 ? whole : cv::Rect();
-    }
-    const Eigen::Vector2d pixel = camera.project(cX);
-    low = low.cwiseMin(pixel);
-    high = high.cwiseMax(pixel);
-  }
-  low = (low.array() - areaMargin).cwiseMax(0.);
-  high = (high.array() + areaMargin + 1.).min(Eigen::Array2d(size.width, size.height));
-  if (!(high.x() - low.x() > 1. && high.y() - low.y() > 1.)) {
-    return cv::Rect();
-  }
-  return cv::Rect(cv::Point(static_cast<int>(low.x()), static_cast<int>(low.y())),
-                  cv::Point(static_cast<int>(high.x()), static_cast<int>(high.y())));
-}
-
-cv::Rect placed(const cv::Size &size, const cv::Rect &around, const cv::Size &image)
-{
-  const auto start = [](int from, int length, int size, int most) {
-    return std::max(std::min(from + (length - size) / 2, most - size), 0);
-  };
-  return cv::Rect(cv::Point(start(around.x, around.width, size.width, image.width),
-                            start(around.y, around.height, size.height, image.height)),
-                  size);
-}
-
-// The size that was used before, where it is neither too small nor far too large.
-cv::Size sizeFor(const cv::Rect &needed, const cv::Rect &before, const cv::Size &image)
-{
-  if (needed.width <= before.width && needed.height <= before.height && before.area() < 3 * needed.area()) {
-    return before.size();
-  }
-  const auto rounded = [](int length) { return (length + areaStep - 1) / areaStep * areaStep; };
-  return cv::Size(std::min(rounded(needed.width), image.width), std::min(rounded(needed.height), image.height));
-}
 } // namespace
 
 void vpPointTracks::forget()
@@ -99,7 +51,7 @@ bool vpPointTracks::prepareImage(const vpCueFrame &frame, const vpModelView &vie
     m_camera = frame.camera();
     m_currentNumber = 0;
   }
-  const cv::Rect needed = expectedArea(view, vpPointCamera(view.pose(), m_camera), size);
+  const cv::Rect needed = vpPointArea::expected(view, vpPointCamera(view.pose(), m_camera), size);
   if (needed.area() == 0) {
     m_currentNumber = 0;
     return false;
@@ -108,11 +60,12 @@ bool vpPointTracks::prepareImage(const vpCueFrame &frame, const vpModelView &vie
     return true;
   }
   const cv::Rect before = m_reference.isEmpty() ? cv::Rect() : m_reference.area();
-  const cv::Size wanted = sizeFor(needed, before, size);
+  const cv::Size wanted = vpPointArea::size(needed, before, size);
   if (!m_reference.isEmpty() && wanted != before.size()) {
-    m_reference.move(placed(wanted, before, size), m_settings.windowSize, m_settings.pyramidLevels);
+    m_reference.move(vpPointArea::placed(wanted, before, size), m_settings.windowSize, m_settings.pyramidLevels);
   }
-  m_current.build(frame.gray(), placed(wanted, needed, size), m_settings.windowSize, m_settings.pyramidLevels);
+  m_current.build(frame.gray(), vpPointArea::placed(wanted, needed, size), m_settings.windowSize,
+                  m_settings.pyramidLevels);
   m_currentNumber = frame.number();
   return true;
 }
@@ -149,15 +102,14 @@ void vpPointTracks::findTracks(const vpCueFrame &frame, const vpPointCamera &cam
   m_flow.run(m_reference, m_current, m_settings);
   const cv::Point2f correction = m_flow.medianCorrection();
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const bool isFollowed = m_flowOf[i] >= 0;
-    const std::size_t flow = isFollowed ? static_cast<std::size_t>(m_flowOf[i]) : 0;
-    if (isFollowed && !m_flow.isFound(flow)) {
-      continue;
-    }
+    // KLT knows nothing of turned or scaled windows: where it fails, the patch may still be where it is expected.
+    const std::size_t flow = static_cast<std::size_t>(std::max<std::ptrdiff_t>(m_flowOf[i], 0));
+    const bool isFollowed = m_flowOf[i] >= 0 && m_flow.isFound(flow);
     cv::Point2f place = isFollowed ? m_flow.place(flow) : m_current.inArea(matches[i].pixel) + correction;
     const Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
-    const Eigen::Matrix2d distortion = track.surface.distortion(camera, camera.toCamera(track.surface.position));
-    if (!track.patch.align(m_current.pixels(), distortion, isFollowed ? reachOfFlow : reachOfExpectation, place)) {
+    Eigen::Matrix2d distortion;
+    const vpSurfacePatch &patch = lookFor(track, camera, distortion).patch;
+    if (!patch.align(m_current.pixels(), distortion, isFollowed ? followed : expected, place)) {
       continue;
     }
     const Eigen::Vector2d pixel = m_current.inImage(place);
@@ -218,11 +170,15 @@ void vpPointTracks::learn(const vpHomogeneousMatrix &cMo, const std::vector<vpPo
       Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
       track.misses = 0;
       track.pixel = matches[i].pixel;
+    }
+  }
+  const auto lost = [&](const Track &track) { return isLost(track, camera); };
+  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), lost), m_tracks.end());
+  for (Track &track : m_tracks) {
+    if (track.misses == 0) {
       renew(track, camera);
     }
   }
-  const auto lost = [&](Track &track) { return isLost(track, camera); };
-  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), lost), m_tracks.end());
   std::fill(m_trackOf.begin(), m_trackOf.end(), -1);
   ++m_age;
   if (m_wantsPoints && depth) {
@@ -234,19 +190,33 @@ void vpPointTracks::learn(const vpHomogeneousMatrix &cMo, const std::vector<vpPo
   m_wantsPoints = false;
 }
 
+const vpPointTracks::Look &vpPointTracks::lookFor(const Track &track, const vpPointCamera &camera,
+                                                  Eigen::Matrix2d &distortion) const
+{
+  const Eigen::Matrix<double, 2, 3> derivative =
+      camera.derivative(camera.toCamera(track.surface.position)) * camera.cRo;
+  distortion = derivative * track.first.across;
+  if (!track.hasLater || vpSurfacePatch::isSimilar(distortion)) {
+    return track.first;
+  }
+  distortion = derivative * track.later.across;
+  return track.later;
+}
+
 void vpPointTracks::renew(Track &track, const vpPointCamera &camera)
 {
-  const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
-  const Eigen::Matrix2d distortion = track.surface.distortion(camera, cX);
-  if (!(cX.z() > 0.) || vpSurfacePatch::isSimilar(distortion) || !(std::fabs(distortion.determinant()) > 1e-6)) {
+  Eigen::Matrix2d distortion;
+  const Look &look = lookFor(track, camera, distortion);
+  if (vpSurfacePatch::isSimilar(distortion) || !(std::fabs(distortion.determinant()) > 1e-6)) {
     return;
   }
   // Seen from too far elsewhere: the place where it was found is kept, and shown as it looks now.
-  track.patch.take(m_reference.pixels(), m_reference.inArea(track.pixel));
-  track.surface.across = (track.surface.across * distortion.inverse()).eval();
+  track.later.across = (look.across * distortion.inverse()).eval();
+  track.later.patch.take(m_reference.pixels(), m_reference.inArea(track.pixel));
+  track.hasLater = true;
 }
 
-bool vpPointTracks::isLost(Track &track, const vpPointCamera &camera) const
+bool vpPointTracks::isLost(const Track &track, const vpPointCamera &camera) const
 {
   const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
   return track.misses > mostMisses || !(cX.z() > 0.) || !track.surface.isFacing(camera, cX) ||
@@ -288,7 +258,8 @@ void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView 
     track.pixel = m_reference.inImage(corner);
     if (m_reference.contains(track.pixel, patchRoom) && reader.read(camera, track.pixel, track.surface) &&
         track.surface.isFacing(camera, camera.toCamera(track.surface.position))) {
-      track.patch.take(m_reference.pixels(), corner);
+      track.first.across = track.surface.across;
+      track.first.patch.take(m_reference.pixels(), corner);
       m_tracks.push_back(track);
     }
   }

@@ -34,10 +34,19 @@ public:
              const std::vector<char> &trusted, const vpPointCue::DepthSource &depth);
 
 private:
+  // How a point looked once.
+  struct Look
+  {
+    vpSurfacePatch patch;
+    Eigen::Matrix<double, 3, 2> across; // See vpSurfaceElement.
+  };
+
   struct Track
   {
     vpSurfaceElement surface;
-    vpSurfacePatch patch;
+    Look first; // Where its 3D position comes from: used wherever the view is similar.
+    Look later; // For views that are not.
+    bool hasLater = false;
     Eigen::Vector2d pixel; // In the reference image.
     int misses = 0;        // Trusted frames since it was found.
   };
@@ -47,8 +56,9 @@ private:
   void expectTracks(const vpCueFrame &frame, const vpModelView &view, std::vector<vpPointCue::Match> &matches);
   void findTracks(const vpCueFrame &frame, const vpPointCamera &camera, std::vector<vpPointCue::Match> &matches);
   void keepMask(const vpCueFrame &frame);
+  const Look &lookFor(const Track &track, const vpPointCamera &camera, Eigen::Matrix2d &distortion) const;
   void renew(Track &track, const vpPointCamera &camera);
-  bool isLost(Track &track, const vpPointCamera &camera) const;
+  bool isLost(const Track &track, const vpPointCamera &camera) const;
   void addTracks(const vpPointCamera &camera, const vpRenderedView &rendered);
   void markAllowed(const vpSurfaceReader &reader, cv::Mat &mask) const;
 
@@ -59,7 +69,7 @@ private:
   vpPointImage m_reference, m_current;
   unsigned long long m_currentNumber = 0; // Of the frame in m_current; 0: none that can be learnt from.
   std::vector<int> m_trackOf;             // For each match its track; -1 once that was forgotten.
-  bool m_wantsPoints = false; // Decided by match(), which keeps the mask for it.
+  bool m_wantsPoints = false;             // Decided by match(), which keeps the mask for it.
   std::size_t m_found = 0;
   std::size_t m_fullCount = 0; // Points after the last refresh.
   int m_age = 0;               // Trusted frames since.

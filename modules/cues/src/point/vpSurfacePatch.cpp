@@ -14,59 +14,25 @@ constexpr int count = side * side;
 constexpr int wideSide = side + 2; // With the neighbours that gradients need.
 // How much larger or smaller a patch may appear, in the direction in which it changes most.
 const double largestStretch = 1.5;
-// The correlation of a patch with itself under noise of a quarter of its contrast is 0.94.
-const float leastCorrelation = 0.75F;
 // Standard deviation of the gray levels below which there is nothing to see.
 const float leastContrast = 2.F;
 const int maxIterations = 12;
 const float converged = 0.01F; // Pixels.
 
-using Window = std::array<float, count>;
+// In whole packets of four numbers; those beyond the last pixel stay 0.
+constexpr int padded = (count + 3) / 4 * 4;
+using Window = Eigen::Matrix<float, padded, 1>;
 
-// Weights of the four pixels around a place between them.
-struct Fraction
+// From the first to the second by a share of the way.
+float between(float from, float to, float share)
 {
-  Fraction(float x, float y)
-      : upperLeft((1.F - x) * (1.F - y)), upperRight(x * (1.F - y)), lowerLeft((1.F - x) * y), lowerRight(x * y)
-  {
-  }
-  float operator()(const unsigned char *upper, const unsigned char *lower) const
-  {
-    return upperLeft * static_cast<float>(upper[0]) + upperRight * static_cast<float>(upper[1]) +
-           lowerLeft * static_cast<float>(lower[0]) + lowerRight * static_cast<float>(lower[1]);
-  }
-  float upperLeft, upperRight, lowerLeft, lowerRight;
-};
-
-// Takes off the mean. Returns the length of what is left.
-float centre(Window &window)
-{
-  float sum = 0.F;
-  for (const float value : window) {
-    sum += value;
-  }
-  float squares = 0.F;
-  for (float &value : window) {
-    value -= sum / count;
-    squares += value * value;
-  }
-  return std::sqrt(squares);
+  return from + share * (to - from);
 }
 
-float dot(const Window &a, const Window &b)
+void takeOffMean(Window &window)
 {
-  float sum = 0.F;
-  for (std::size_t i = 0; i < count; ++i) {
-    sum += a[i] * b[i];
-  }
-  return sum;
-}
-
-void scale(Window &window, float by)
-{
-  for (float &value : window) {
-    value *= by;
-  }
+  const float mean = window.sum() / count;
+  window.head<count>().array() -= mean;
 }
 
 // A patch as it is expected, without mean and of unit length, and how that changes when it moves.
@@ -77,33 +43,33 @@ struct Expected
 
   bool prepare(const float *wide)
   {
+    values.setZero();
+    alongX.setZero();
+    alongY.setZero();
     for (int i = 0; i < side; ++i) {
       for (int j = 0; j < side; ++j) {
         const float *p = wide + (i + 1) * wideSide + j + 1;
-        const std::size_t at = static_cast<std::size_t>(i * side + j);
-        values[at] = *p;
-        alongX[at] = 0.5F * (p[1] - p[-1]);
-        alongY[at] = 0.5F * (p[wideSide] - p[-wideSide]);
+        values[i * side + j] = *p;
+        alongX[i * side + j] = 0.5F * (p[1] - p[-1]);
+        alongY[i * side + j] = 0.5F * (p[wideSide] - p[-wideSide]);
       }
     }
-    const float length = centre(values);
+    takeOffMean(values);
+    const float length = values.norm();
     if (length < leastContrast * side) {
       return false;
     }
-    scale(values, 1.F / length);
+    values /= length;
     for (Window *gradient : {&alongX, &alongY}) {
       // The part that brightness and contrast could explain says nothing of motion.
-      centre(*gradient);
-      scale(*gradient, 1.F / length);
-      const float share = dot(*gradient, values);
-      for (std::size_t i = 0; i < count; ++i) {
-        (*gradient)[i] -= share * values[i];
-      }
+      takeOffMean(*gradient);
+      *gradient /= length;
+      *gradient -= gradient->dot(values) * values;
     }
     Eigen::Matrix2f information;
-    information(0, 0) = dot(alongX, alongX);
-    information(1, 1) = dot(alongY, alongY);
-    information(0, 1) = information(1, 0) = dot(alongX, alongY);
+    information(0, 0) = alongX.squaredNorm();
+    information(1, 1) = alongY.squaredNorm();
+    information(0, 1) = information(1, 0) = alongX.dot(alongY);
     // A patch that is known along one direction only.
     if (!(information.determinant() > 1e-3F * information.trace() * information.trace())) {
       return false;
@@ -124,14 +90,20 @@ bool sample(const cv::Mat &pixels, const cv::Point2f &place, Window &window)
   }
   const int column = static_cast<int>(left);
   const int row = static_cast<int>(top);
-  const Fraction between(left - static_cast<float>(column), top - static_cast<float>(row));
-  float *value = window.data();
-  for (int i = 0; i < side; ++i) {
-    const unsigned char *upper = pixels.ptr<unsigned char>(row + i) + column;
-    const unsigned char *lower = pixels.ptr<unsigned char>(row + i + 1) + column;
+  const float right = left - static_cast<float>(column);
+  const float down = top - static_cast<float>(row);
+  // Each row between its pixels once, for the rows of the window above and below it.
+  std::array<float, side> above{};
+  std::array<float, side> below{};
+  for (int i = -1; i < side; ++i) {
+    const unsigned char *p = pixels.ptr<unsigned char>(row + i + 1) + column;
     for (int j = 0; j < side; ++j) {
-      *value++ = between(upper + j, lower + j);
+      below[static_cast<std::size_t>(j)] = between(p[j], p[j + 1], right);
     }
+    for (int j = 0; i >= 0 && j < side; ++j) {
+      window[i * side + j] = between(above[static_cast<std::size_t>(j)], below[static_cast<std::size_t>(j)], down);
+    }
+    above = below;
   }
   return true;
 }
@@ -141,18 +113,19 @@ void vpSurfacePatch::take(const cv::Mat &pixels, const cv::Point2f &place)
 {
   const int column = static_cast<int>(std::floor(place.x));
   const int row = static_cast<int>(std::floor(place.y));
-  const Fraction between(place.x - static_cast<float>(column), place.y - static_cast<float>(row));
+  const float right = place.x - static_cast<float>(column);
+  const float down = place.y - static_cast<float>(row);
   const auto inside = [](int x, int size) { return std::min(std::max(x, 0), size - 1); };
   std::size_t at = 0;
   for (int i = row - storedHalf; i <= row + storedHalf; ++i) {
     const unsigned char *upper = pixels.ptr<unsigned char>(inside(i, pixels.rows));
     const unsigned char *lower = pixels.ptr<unsigned char>(inside(i + 1, pixels.rows));
     for (int j = column - storedHalf; j <= column + storedHalf; ++j) {
-      const int left = inside(j, pixels.cols);
-      const int right = inside(j + 1, pixels.cols);
-      const unsigned char above[2] = {upper[left], upper[right]};
-      const unsigned char below[2] = {lower[left], lower[right]};
-      m_stored[at++] = static_cast<unsigned char>(between(above, below) + 0.5F);
+      const int first = inside(j, pixels.cols);
+      const int second = inside(j + 1, pixels.cols);
+      const float level =
+          between(between(upper[first], upper[second], right), between(lower[first], lower[second], right), down);
+      m_stored[at++] = static_cast<unsigned char>(level + 0.5F);
     }
   }
 }
@@ -183,13 +156,16 @@ bool vpSurfacePatch::warp(const Eigen::Matrix2d &distortion, float *values) cons
       const int column = static_cast<int>(x);
       const int row = static_cast<int>(y);
       const unsigned char *upper = m_stored.data() + row * storedSide + column;
-      *values++ = Fraction(x - static_cast<float>(column), y - static_cast<float>(row))(upper, upper + storedSide);
+      const unsigned char *lower = upper + storedSide;
+      const float right = x - static_cast<float>(column);
+      *values++ =
+          between(between(upper[0], upper[1], right), between(lower[0], lower[1], right), y - static_cast<float>(row));
     }
   }
   return true;
 }
 
-bool vpSurfacePatch::align(const cv::Mat &pixels, const Eigen::Matrix2d &distortion, float reach,
+bool vpSurfacePatch::align(const cv::Mat &pixels, const Eigen::Matrix2d &distortion, const Limits &limits,
                            cv::Point2f &place) const
 {
   std::array<float, wideSide * wideSide> wide;
@@ -198,24 +174,26 @@ bool vpSurfacePatch::align(const cv::Mat &pixels, const Eigen::Matrix2d &distort
     return false;
   }
   const cv::Point2f start = place;
-  Window window;
+  Window window = Window::Zero();
   for (int iteration = 0; iteration < maxIterations; ++iteration) {
     if (!sample(pixels, place, window)) {
       return false;
     }
-    const float length = centre(window);
+    // Values and gradients have no mean, and the gradients are perpendicular to the values: what they are multiplied
+    // with needs neither its mean nor the values taken off.
+    const float mean = window.sum() / count;
+    const float length = std::sqrt(std::max(window.squaredNorm() - count * mean * mean, 0.F));
     if (length < leastContrast * side) {
       return false;
     }
-    // The gradients are perpendicular to the expected values: those need not be taken off the window.
-    const Eigen::Vector2f error(dot(window, expected.alongX), dot(window, expected.alongY));
+    const Eigen::Vector2f error(window.dot(expected.alongX), window.dot(expected.alongY));
     const Eigen::Vector2f step = expected.inverse * error / length;
-    const float correlation = dot(window, expected.values) / length;
+    const float correlation = window.dot(expected.values) / length;
     if (step.norm() < converged) {
-      return correlation > leastCorrelation;
+      return correlation > limits.leastCorrelation;
     }
     place -= cv::Point2f(step.x(), step.y());
-    if (!(std::hypot(place.x - start.x, place.y - start.y) < reach)) {
+    if (!(std::hypot(place.x - start.x, place.y - start.y) < limits.reach)) {
       return false;
     }
   }

@@ -20,6 +20,13 @@ class vpSurfacePatch
 public:
   static constexpr int half = 5; //!< The patch that is compared has 2 half + 1 pixels a side.
 
+  //! What is believed to be the patch.
+  struct Limits
+  {
+    float reach;            //!< How far from the start it may be, pixels.
+    float leastCorrelation; //!< At noise of a quarter of the patch's contrast it is 0.94.
+  };
+
   //! Takes the patch around a place, which may lie between pixels. Goes on with the border outside.
   void take(const cv::Mat &pixels, const cv::Point2f &place);
 
@@ -28,11 +35,11 @@ public:
 
   /*!
     Moves a place to where the patch fits best, to a fraction of a pixel.
-    \param pixels Where to look. \param distortion See vpSurfaceElement::distortion().
-    \param place Where to start, and the result. \param reach How far it may move, pixels.
-    \return False where it does not fit.
+    \param pixels Where to look. \param distortion The images, as columns, of what was one pixel to the right and one
+    down. \param place Where to start, and the result. \param reach How far it may move, pixels. \return False where it
+    does not fit.
   */
-  bool align(const cv::Mat &pixels, const Eigen::Matrix2d &distortion, float reach, cv::Point2f &place) const;
+  bool align(const cv::Mat &pixels, const Eigen::Matrix2d &distortion, const Limits &limits, cv::Point2f &place) const;
 
 private:
   // Enough for the patch turned by 45 degrees and 1.5 times as large.

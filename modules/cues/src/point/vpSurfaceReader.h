@@ -23,11 +23,6 @@ struct vpSurfaceElement
     const double leastCosine = 0.2; // 78 degrees: beyond, a pixel of the patch is five of the surface.
     return -cX.dot(camera.cRo * normal) > leastCosine * cX.norm();
   }
-  //! The image of one pixel to the right and one down, as columns: how the surface's picture is distorted.
-  Eigen::Matrix2d distortion(const vpPointCamera &camera, const Eigen::Vector3d &cX) const
-  {
-    return camera.derivative(cX) * (camera.cRo * across);
-  }
 };
 
 /*!
