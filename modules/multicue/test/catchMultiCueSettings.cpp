@@ -57,6 +57,7 @@ const std::vector<Case> cases = {
     {"hypotheses", "draws", {"1", "10000"}, {"0", "10001", "4294967297", "1.0"}},
     {"hypotheses", "minimisations", {"1", "1000"}, {"0", "1001", "2.5"}},
     {"hypotheses", "mergeTolerance", {"1e-9", "100"}, {"0", "100.01"}},
+    {"hypotheses", "reach", {"1", "10"}, {"0.99", "10.01"}},
     {"hypotheses", "seed", {"0", "4294967295"}, {"-1", "4294967296", "1.0"}},
     {"view", "sampleStep", {"0.5", "100"}, {"0.49"}},
     {"view", "appearAngle", {"1e-9", "89"}, {"0", "90.01"}},

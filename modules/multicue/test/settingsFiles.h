@@ -91,7 +91,7 @@ inline bool operator==(const vpEdgeCueSettings &a, const vpEdgeCueSettings &b)
 inline bool operator==(const vpPoseHypothesisSettings &a, const vpPoseHypothesisSettings &b)
 {
   return a.enabled == b.enabled && a.lambda == b.lambda && a.draws == b.draws && a.minimisations == b.minimisations &&
-         a.mergeTolerance == b.mergeTolerance && a.seed == b.seed;
+         a.mergeTolerance == b.mergeTolerance && a.reach == b.reach && a.seed == b.seed;
 }
 inline bool operator==(const vpModelViewOptions &a, const vpModelViewOptions &b)
 {

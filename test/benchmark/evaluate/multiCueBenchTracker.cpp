@@ -24,6 +24,9 @@ const std::map<std::string, Preset> &presets()
          vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
          settings.enabled = true;
          tracker.setPoseHypothesisSettings(settings);
+         vpEdgeCueSettings edges = tracker.getEdgeSettings();
+         edges.candidates = 5;
+         tracker.setEdgeSettings(edges);
        }},
       {"color", [](Tracker &tracker) { tracker.setTrackerType(Tracker::COLOR_TRACKER); }},
       {"point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::KLT_TRACKER); }},

@@ -47,7 +47,7 @@ void vpEdgeCueSettings::check() const
 {
   // First, because set() divides the threshold by it.
   require(maskSize >= 3 && maskSize <= 15, "maskSize", maskSize, "in [3, 15] pixels");
-  require(range >= 1. && range <= 100., "range", range, "in [1, 100] pixels");
+  require(range >= 1. && range <= maxRange, "range", range, "in [1, 100] pixels");
   require(contrast > 0. && contrast <= 255., "contrast", contrast, "in (0, 255] gray levels");
   require(mu1 >= 0. && mu1 <= 1., "mu1", mu1, "in [0, 1]");
   require(mu2 >= 0., "mu2", mu2, "at least 0");

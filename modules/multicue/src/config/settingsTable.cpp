@@ -155,6 +155,7 @@ const std::vector<Entry> &settingsTable()
       {"hypotheses", "draws", ofHypotheses<&Hypotheses::draws>, between(1., 10000.)},
       {"hypotheses", "minimisations", ofHypotheses<&Hypotheses::minimisations>, between(1., 1000.)},
       {"hypotheses", "mergeTolerance", ofHypotheses<&Hypotheses::mergeTolerance>, above(0., 100., " pixels")},
+      {"hypotheses", "reach", ofHypotheses<&Hypotheses::reach>, between(1., 10.)},
       {"hypotheses", "seed", ofHypotheses<&Hypotheses::seed>, between(0., std::numeric_limits<unsigned int>::max())},
       {"view", "sampleStep", ofView<&View::sampleStep>, between(0.5, infinite, " pixels")},
       {"view", "appearAngle", ofView<&View::appearAngle>, above(0., 90., " degrees")},

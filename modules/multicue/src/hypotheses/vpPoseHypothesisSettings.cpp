@@ -20,6 +20,7 @@ void vpPoseHypothesisSettings::check() const
   require(draws >= 1 && draws <= 10000, "draws", draws, "in [1, 10000]");
   require(minimisations >= 1 && minimisations <= 1000, "minimisations", minimisations, "in [1, 1000]");
   require(mergeTolerance > 0. && mergeTolerance <= 100., "mergeTolerance", mergeTolerance, "in (0, 100] pixels");
+  require(reach >= 1. && reach <= 10., "reach", reach, "in [1, 10]");
 }
 
 END_VISP_NAMESPACE

@@ -174,7 +174,6 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
                       "The image is %u x %u, the tracker was started with %u x %u: initialise again for another size",
                       frame.width(), frame.height(), m_impl->width, m_impl->height);
   }
-  ++m_impl->frames;
   m_impl->minimisations = 0;
   m_impl->frameCamera = frame.camera();
   const vpHomogeneousMatrix cMoBefore = m_cMo;
@@ -193,6 +192,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   } else {
     m_impl->trusted = m_cMo;
     updateReferences();
+    m_impl->learnResidue();
     updateMotion();
   }
   if (m_impl->throwOnLoss) {

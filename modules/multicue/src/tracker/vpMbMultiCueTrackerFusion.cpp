@@ -9,6 +9,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
@@ -21,6 +22,8 @@ const unsigned int maxMatches = 3;
 const double maxMotion = 1.;
 // Fewer points found tell no pose by themselves.
 const std::size_t fewestPoints = 12;
+// Share of the points looked for that have to agree on a pose.
+const double leastAgreeing = 0.5;
 // The pose's deviation is not believed to be below this share of the diameter, and this angle.
 const double leastTranslation = 5e-4;
 const double leastRotation = 1e-3; // Radians.
@@ -53,8 +56,17 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
       impl.fusion.add(cue, *impl.points);
     }
   }
-  const vpStopwatch stage(impl.timings.pose);
   return computeVVS();
+}
+
+// Few points, or many that disagree, are those of something else, or of a pose too far away to find them.
+bool vpMbMultiCueTracker::pointsAgree() const
+{
+  const std::vector<double> &weights = m_impl->fusion[0].weights;
+  const auto kept = static_cast<std::size_t>(
+      std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > 0.; }));
+  return kept >= 2 * fewestPoints &&
+         static_cast<double>(kept) >= 2. * leastAgreeing * static_cast<double>(m_impl->points->matches().size());
 }
 
 // Points and the coarse levels of the colours reach far, and bring the pose to where the fine cues find theirs.
@@ -68,16 +80,17 @@ bool vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
       impl.points->match(frame, *impl.view);
     }
     const vpHomogeneousMatrix cMoBefore = m_cMo;
-    if (!minimise({KLT_TRACKER}) || impl.fusion[0].block.rows.size() < 2 * fewestPoints) {
+    if (!minimise({KLT_TRACKER}) || !pointsAgree()) {
       m_cMo = cMoBefore;
     }
   }
   const unsigned int coarse = static_cast<unsigned int>(impl.color.settings().scales.size());
-  for (unsigned int level = 0; impl.uses(COLOR_TRACKER) && level < coarse; ++level) {
+  const unsigned int matches = impl.uses(COLOR_TRACKER) && coarse > 0 ? coarse + 1 : 0;
+  for (unsigned int i = 0; i < matches; ++i) {
     computeView(frame, m_cMo);
     {
       const vpStopwatch stage(impl.timings.match);
-      impl.color.setLevel(level);
+      impl.color.setLevel(i > 0 ? i - 1 : 0); // The coarsest one twice: its lines reach farther when they lie better.
       impl.color.match(frame, *impl.view);
     }
     const vpHomogeneousMatrix cMoBefore = m_cMo;

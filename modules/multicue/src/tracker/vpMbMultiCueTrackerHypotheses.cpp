@@ -20,9 +20,7 @@ const double leastWeight = 0.02;
 const std::size_t maxFinalists = 3;
 // A match serves poses that move its control points by less than this.
 const double nearMotion = 1.5; // Pixels.
-// With a residue below this the image is explained; a tenth of the control points may be without support.
-const double explained = 0.8; // Pixels.
-const std::uint64_t maxRounds = 3;
+const unsigned int maxRounds = 3;
 
 vpColor colorOf(std::size_t hypothesis)
 {
@@ -61,22 +59,49 @@ void vpMbMultiCueTracker::setDisplayHypotheses(bool flag)
   m_impl->displayHypotheses = flag;
 }
 
-// From the pose before, and again from the best one while that has moved and the image is not explained yet.
-// \return True where the last match serves m_cMo.
+// From the pose before; and where that leaves the image unexplained, once more with a longer reach, for there the
+// object may have moved by more than the range. \return True where the last match serves m_cMo.
 bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  const unsigned int most = impl.hypotheses.settings().minimisations;
   impl.hypotheses.setEstimatedMotions(oJo);
+  const vpHomogeneousMatrix cMoStart = m_cMo;
+  const bool matched = searchPoses(frame, impl.hypotheses.settings().minimisations);
+  const double residue = impl.bestResidue();
+  const double reach = impl.hypotheses.settings().reach;
+  if (impl.explains(residue) || reach <= 1.) {
+    return matched;
+  }
+  const vpHomogeneousMatrix cMoNear = m_cMo;
+  const vpEdgeCueSettings settings = impl.edges.settings();
+  vpEdgeCueSettings farther = settings;
+  farther.range = std::min(reach * settings.range, vpEdgeCueSettings::maxRange);
+  impl.edges.setSettings(farther);
+  m_cMo = cMoStart;
+  searchPoses(frame, impl.hypotheses.settings().minimisations);
+  impl.edges.setSettings(settings);
+  // Residues are compared at the usual range: with a longer one there is a candidate near to everything.
+  bool matchedFar = searchPoses(frame, 1);
+  if (impl.bestResidue() < residue) {
+    return matchedFar;
+  }
+  m_cMo = cMoNear;
+  return searchPoses(frame, 1);
+}
+
+// The poses that a match allows, and again from the best one while that has moved and the image is not explained yet.
+// \return As proposePose().
+bool vpMbMultiCueTracker::searchPoses(const vpCueFrame &frame, unsigned int most)
+{
+  Impl &impl = *m_impl;
   bool matched = false;
   unsigned int left = most;
-  for (std::uint64_t round = 0; round < maxRounds && left > 0; ++round) {
+  for (unsigned int round = 0; round < maxRounds && left > 0; ++round) {
     if (!matched) {
       match(frame, m_cMo);
     }
     const vpHomogeneousMatrix cMoBefore = m_cMo;
-    impl.hypotheses.find(impl.edges, *impl.view, m_cMo, maxRounds * impl.frames + round,
-                         std::min((most + 1) / 2, left));
+    impl.hypotheses.find(impl.edges, *impl.view, m_cMo, impl.draws++, std::min((most + 1) / 2, left));
     if (impl.hypotheses.hypotheses().empty()) {
       return true;
     }
@@ -84,7 +109,7 @@ bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
     left -= impl.hypotheses.minimisations();
     matched = takeBestHypothesis(frame);
     const bool moved = vpControlPointMotion::between(*impl.view, cMoBefore, m_cMo, frame.camera()) >= nearMotion;
-    if (!moved || impl.hypotheses.hypotheses().front().residue < explained) {
+    if (!moved || impl.explains(impl.bestResidue())) {
       break;
     }
   }

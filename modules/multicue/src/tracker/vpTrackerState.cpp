@@ -10,6 +10,11 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // Rows with less robust weight do not count as support.
 const double goodWeight = 0.1;
+// With a residue below this the image is explained; a tenth of the control points may be without support.
+const double explained = 0.8; // Pixels.
+// Objects with edges that the image hardly shows never get there: a pose may leave this much more than the ones before.
+const double usualFactor = 1.15;
+const double usualRate = 0.2;
 } // namespace
 
 const char *toString(vpTrackingState state)
@@ -120,6 +125,19 @@ unsigned int vpMbMultiCueTracker::Impl::countGood() const
   return static_cast<unsigned int>(count);
 }
 
+bool vpMbMultiCueTracker::Impl::explains(double residue) const
+{
+  return residue < std::max(explained, usualFactor * usualResidue);
+}
+
+void vpMbMultiCueTracker::Impl::learnResidue()
+{
+  const double residue = bestResidue();
+  if (std::isfinite(residue)) {
+    usualResidue += usualResidue > 0. ? usualRate * (residue - usualResidue) : residue;
+  }
+}
+
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
   edges = vpEdgeCue(edges.settings());
@@ -130,7 +148,8 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   kalman.reset();
   fusion.clear();
   hypotheses.clear();
-  frames = 0;
+  draws = 0;
+  usualResidue = 0.;
   minimisations = 0;
   expected = 0;
   good = 0;

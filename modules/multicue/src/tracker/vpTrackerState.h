@@ -10,6 +10,8 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 #include <visp3/se3/vpPoseKalmanFilter.h>
 
+#include <cmath>
+
 BEGIN_VISP_NAMESPACE
 
 //! Everything behind vpMbMultiCueTracker that vpMbTracker does not hold.
@@ -35,6 +37,15 @@ public:
   unsigned int countExpected() const;
   //! Features that the robust estimation kept.
   unsigned int countGood() const;
+  //! Of the best pose hypothesis, pixels; infinite where there is none.
+  double bestResidue() const
+  {
+    return hypotheses.hypotheses().empty() ? HUGE_VAL : hypotheses.hypotheses().front().residue;
+  }
+  //! True where a pose leaves no more unexplained than the trusted ones before it.
+  bool explains(double residue) const;
+  //! Takes the best hypothesis of a trusted frame for what is usual.
+  void learnResidue();
   bool uses(int cue) const { return (type & cue) != 0; }
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
@@ -67,7 +78,8 @@ public:
   vpColorCue color;
   std::unique_ptr<vpPointCue> points; // Null where they are not asked for.
   vpPoseHypotheses hypotheses;
-  std::uint64_t frames = 0;       // Since the start.
+  double usualResidue = 0.;       // Of the best hypothesis in trusted frames, pixels; 0: none yet.
+  std::uint64_t draws = 0;        // Since the start: each has a stream of random numbers.
   unsigned int minimisations = 0; // In the last frame.
   unsigned int width = 0;         // Of the images since init(); 0 before it.
   unsigned int height = 0;

@@ -20,7 +20,9 @@ struct VISP_EXPORT vpEdgeCueSettings
     CONTRAST    //!< NORMALIZED_THRESHOLD of ViSP from 3.6 on: gray levels.
   };
 
-  double range = 10.;          //!< Half length of the search along the normal, pixels, [1, 100].
+  static constexpr double maxRange = 100.; //!< Pixels.
+
+  double range = 10.;          //!< Half length of the search along the normal, pixels, [1, maxRange].
   double contrast = 5.;        //!< Smallest difference of the gray levels on both sides, (0, 255].
   double mu1 = 0.5;            //!< The contrast may fall by this share from one frame to the next, [0, 1].
   double mu2 = 0.5;            //!< The contrast may grow by this share from one frame to the next, >= 0.

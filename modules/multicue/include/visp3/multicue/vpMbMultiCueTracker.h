@@ -237,12 +237,14 @@ private:
   bool estimateFused(const vpCueFrame &frame);
   bool estimateCoarse(const vpCueFrame &frame);
   bool minimise(const std::vector<int> &cues);
+  bool pointsAgree() const;
   void updateReferences();
   void updateMotion();
   bool estimate(const vpCueFrame &frame);
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   bool proposePose(const vpCueFrame &frame);
+  bool searchPoses(const vpCueFrame &frame, unsigned int most);
   bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
   const vpModelViewOptions &viewOptions() const;

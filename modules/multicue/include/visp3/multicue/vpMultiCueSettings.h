@@ -58,7 +58,7 @@ struct VISP_EXPORT vpMultiCueSettings
   **JSON**: an object for each of
   - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
   - edge: range, contrast, mu1, mu2, maskSize, candidates;
-  - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, seed;
+  - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, reach, seed;
   - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, clipToImage;
   - klt: maxFeatures, windowSize, quality, minDistance, harris, blockSize, pyramidLevels, maskBorder;
   - lod: use, minLineLength, minPolygonArea,

@@ -21,6 +21,8 @@ struct VISP_EXPORT vpPoseHypothesisSettings
   unsigned int minimisations = 5; //!< Largest number of draws that are minimised in a frame, [1, 1000].
   //! Poses whose control points are closer to one another than this in the mean are one pose, pixels, (0, 100].
   double mergeTolerance = 1.;
+  //! Where no pose explains the image, candidates are looked for up to this many search ranges away, [1, 10]; 1: never.
+  double reach = 2.;
   unsigned int seed = 1; //!< The same seed gives the same poses.
 
   //! \throw vpException naming the first member out of range.
