@@ -57,7 +57,7 @@ inline vpMultiCueSettings unusual()
   settings.edge.mu2 = 1e22 / 3.;
   settings.edge.maskSize = 7;
   settings.edge.candidates = 1;
-  settings.hypotheses = {true, 10. / 7., 77, 7, 2. / 3., 4000000001U};
+  settings.hypotheses = {true, 10. / 7., 77, 7, 2. / 3., 2.5, 4000000001U};
   settings.view.sampleStep = 20. / 3.;
   settings.view.appearAngle = 200. / 3.;
   settings.view.disappearAngle = 220. / 3.;

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catchMain.h>
+
+#include "renderedBox.h"
+
+#include <meshFiles.h>
+
+#include <visp3/core/vpExponentialMap.h>
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+const int edge = vpMbMultiCueTracker::EDGE_TRACKER;
+const int klt = vpMbMultiCueTracker::KLT_TRACKER;
+const int color = vpMbMultiCueTracker::COLOR_TRACKER;
+
+// Some 12 pixels from frame to frame.
+vpHomogeneousMatrix poseAt(int frame)
+{
+  const double t = 0.4 * frame;
+  vpColVector motion(6);
+  motion[0] = 0.03 * std::sin(t);
+  motion[1] = 0.02 * std::sin(1.3 * t);
+  motion[3] = 0.2 * std::sin(0.9 * t);
+  motion[5] = 0.2 * std::sin(0.8 * t);
+  return renderedBox::pose() * vpExponentialMap::direct(motion);
+}
+
+// The gray levels of the sides as colours.
+vpImage<vpRGBa> colorImage(renderedBox &box, const vpHomogeneousMatrix &cMo)
+{
+  const vpImage<unsigned char> gray = box.draw(cMo);
+  vpImage<vpRGBa> I(gray.getHeight(), gray.getWidth());
+  for (unsigned int i = 0; i < I.getSize(); ++i) {
+    const unsigned char g = gray.bitmap[i];
+    I.bitmap[i] = vpRGBa(g, static_cast<unsigned char>(255 - g), 90);
+  }
+  return I;
+}
+
+void prepare(vpMbMultiCueTracker &tracker, int type)
+{
+  tracker.setTrackerType(type);
+  tracker.setCameraParameters(renderedBox::camera());
+  tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("box.cao")));
+}
+
+double error(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &truth)
+{
+  return (cMo.getTranslationVector() - truth.getTranslationVector()).frobeniusNorm();
+}
+
+bool isFinite(const vpHomogeneousMatrix &cMo)
+{
+  return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); });
+}
+} // namespace
+
+TEST_CASE("Cues alone and together follow the object", "[tracker]")
+{
+  renderedBox box;
+  for (const int type : {color, edge | color, edge | klt, edge | klt | color}) {
+    for (const bool predicts : {false, true}) {
+      vpMbMultiCueTracker tracker;
+      prepare(tracker, type);
+      tracker.setPrediction(predicts);
+      tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
+      double worst = 0.;
+      for (int i = 1; i < 10; ++i) {
+        tracker.track(colorImage(box, poseAt(i)));
+        worst = std::max(worst, error(tracker.getPose(), poseAt(i)));
+        CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+        CHECK((tracker.getNbFeaturesEdge() > 0) == ((type & edge) != 0));
+        CHECK((tracker.getNbFeaturesColor() > 0) == ((type & color) != 0));
+      }
+      INFO("type " << type << (predicts ? ", predicting" : ""));
+      CHECK(worst < 0.004);
+    }
+  }
+}
+
+TEST_CASE("A gray image does for all cues, and the type may change between frames", "[tracker]")
+{
+  renderedBox box;
+  vpMbMultiCueTracker tracker;
+  prepare(tracker, color);
+  tracker.initFromPose(box.draw(poseAt(0)), poseAt(0));
+  const int types[] = {color, edge | color, edge, edge | klt | color, color};
+  for (int i = 1; i <= 5; ++i) {
+    tracker.setTrackerType(types[i - 1]);
+    tracker.track(box.draw(poseAt(i)));
+    CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+    CHECK(error(tracker.getPose(), poseAt(i)) < 0.004);
+  }
+}
+
+TEST_CASE("Images that show nothing leave a finite pose, and tracking goes on afterwards", "[tracker]")
+{
+  renderedBox box;
+  vpMbMultiCueTracker tracker;
+  prepare(tracker, edge | klt | color);
+  tracker.setPrediction(true);
+  tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
+  tracker.track(colorImage(box, poseAt(0)));
+  for (const int level : {0, 255, 90}) {
+    const auto gray = static_cast<unsigned char>(level);
+    const vpImage<vpRGBa> plain(renderedBox::height, renderedBox::width, vpRGBa(gray, gray, gray));
+    for (int i = 0; i < 3; ++i) {
+      CHECK_NOTHROW(tracker.track(plain));
+      CHECK(isFinite(tracker.getPose()));
+      CHECK(tracker.getTrackingState() != vpTrackingState::TRACKING);
+    }
+  }
+  tracker.track(colorImage(box, poseAt(0)));
+  CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+  CHECK(error(tracker.getPose(), poseAt(0)) < 0.004);
+}
+
+TEST_CASE("Wrong types and times are named and change nothing", "[tracker]")
+{
+  vpMbMultiCueTracker tracker;
+  for (const int type : {0, -1, 4, 8, 32}) {
+    CHECK_THROWS_AS(tracker.setTrackerType(type), vpException);
+  }
+  CHECK(tracker.getTrackerType() == edge);
+  for (const double seconds : {0., -1., std::nan(""), std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(tracker.setFrameInterval(seconds), vpException);
+  }
+  vpColorCueSettings settings = tracker.getColorSettings();
+  settings.alpha = -1.;
+  CHECK_THROWS_AS(tracker.setColorSettings(settings), vpException);
+  CHECK(tracker.getColorSettings().alpha > 0.);
+}
