@@ -2,14 +2,12 @@
 #include "colorScenes.h"
 
 #include <catchMain.h>
-
-#include <cstdlib>
-#include <new>
+#include <countAllocations.h>
 
 using namespace colorScenes;
 
 namespace {
-std::size_t allocations = 0;
+using countAllocations::allocations;
 
 const vpHomogeneousMatrix cMo(0.01, -0.02, 0.5, 0.5, 0.6, 0.2);
 
@@ -65,27 +63,6 @@ vpImage<vpRGBa> fill(double level, double noise)
   return I;
 }
 } // namespace
-
-// Counts what the library allocates, too.
-void *operator new(std::size_t size)
-{
-  ++allocations;
-  void *memory = std::malloc(size > 0 ? size : 1);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-
-void operator delete(void *memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete(void *memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 TEST_CASE("where object and background are alike, the rows hold nothing", "[color-plain]")
 {

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <countAllocations.h>
 
 #include <visp3/core/vpTime.h>
 #include <visp3/cues/vpEdgeClustering.h>
 #include <visp3/se3/vpPoseRandom.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
-#include <new>
 
 namespace {
-std::size_t allocations = 0;
-
-void *allocate(std::size_t size)
-{
-  ++allocations;
-  void *memory = std::malloc(size > 0 ? size : 1);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
+using countAllocations::allocations;
 
 // Forty control points, three parallel lines 7 pixels apart.
 void cluster(vpEdgeClustering &clustering)
@@ -35,45 +24,6 @@ void cluster(vpEdgeClustering &clustering)
   clustering.compute();
 }
 } // namespace
-
-// Counts what the library allocates, too.
-void *operator new(std::size_t size)
-{
-  return allocate(size);
-}
-
-void *operator new[](std::size_t size)
-{
-  return allocate(size);
-}
-
-// Standard algorithms ask for temporary memory so; AddressSanitizer has its own one unless it is replaced with the
-// rest.
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept
-{
-  ++allocations;
-  return std::malloc(size == 0 ? 1 : size);
-}
-
-void operator delete(void *memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete[](void *memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete(void *memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete[](void *memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 TEST_CASE("A contour is segmented in microseconds, without allocation", "[clustering]")
 {

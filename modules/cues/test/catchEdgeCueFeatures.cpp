@@ -2,24 +2,12 @@
 #include "edgeScenes.h"
 
 #include <catchMain.h>
-
-#include <cstdlib>
-#include <new>
+#include <countAllocations.h>
 
 using namespace edgeScenes;
 
 namespace {
-std::size_t allocations = 0;
-
-void *allocate(std::size_t size)
-{
-  ++allocations;
-  void *memory = std::malloc(size > 0 ? size : 1);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
+using countAllocations::allocations;
 
 const Line edge{Eigen::Vector2d(80., 60.), 0.};
 
@@ -29,45 +17,6 @@ std::size_t count(const std::vector<vpCueFeature> &features, vpFeatureState stat
       std::count_if(features.begin(), features.end(), [state](const vpCueFeature &f) { return f.state == state; }));
 }
 } // namespace
-
-// Counts what the library allocates, too.
-void *operator new(std::size_t size)
-{
-  return allocate(size);
-}
-
-void *operator new[](std::size_t size)
-{
-  return allocate(size);
-}
-
-// Standard algorithms ask for temporary memory so; AddressSanitizer has its own one unless it is replaced with the
-// rest.
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept
-{
-  ++allocations;
-  return std::malloc(size == 0 ? 1 : size);
-}
-
-void operator delete(void *memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete[](void *memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete(void *memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete[](void *memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 TEST_CASE("features are where edges were found, with the state of their row", "[edge-features]")
 {

@@ -77,11 +77,11 @@ inline vpMultiCueSettings unusual()
 // In ViSP's namespace, where Catch2 looks for them.
 BEGIN_VISP_NAMESPACE
 //! Compares every member, to the last digit.
-inline bool operator==(const vpKltSettings &a, const vpKltSettings &b)
+inline bool operator==(const vpPointCueSettings &a, const vpPointCueSettings &b)
 {
   return a.maxFeatures == b.maxFeatures && a.windowSize == b.windowSize && a.quality == b.quality &&
          a.minDistance == b.minDistance && a.harris == b.harris && a.blockSize == b.blockSize &&
-         a.pyramidLevels == b.pyramidLevels && a.maskBorder == b.maskBorder;
+         a.pyramidLevels == b.pyramidLevels && a.useHarris == b.useHarris && a.maskBorder == b.maskBorder;
 }
 inline bool operator==(const vpEdgeCueSettings &a, const vpEdgeCueSettings &b)
 {

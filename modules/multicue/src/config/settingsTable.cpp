@@ -136,7 +136,7 @@ const std::vector<Entry> &settingsTable()
   using Edge = vpEdgeCueSettings;
   using Hypotheses = vpPoseHypothesisSettings;
   using View = vpModelViewOptions;
-  using Klt = vpKltSettings;
+  using Klt = vpPointCueSettings;
   static const std::vector<Entry> table = {
       {"camera", "px", &ofCamera<&CameraParts::px>, above(0., infinite, " pixels")},
       {"camera", "py", &ofCamera<&CameraParts::py>, above(0., infinite, " pixels")},

@@ -74,15 +74,7 @@ vpEdgeCueSettings vpMbMultiCueTracker::getEdgeSettings() const
 
 void vpMbMultiCueTracker::setKltOpencv(const vpKltOpencv &klt)
 {
-  vpKltSettings settings = m_impl->klt;
-  settings.maxFeatures = klt.getMaxFeatures();
-  settings.windowSize = klt.getWindowSize();
-  settings.quality = klt.getQuality();
-  settings.minDistance = klt.getMinDistance();
-  settings.harris = klt.getHarrisFreeParameter();
-  settings.blockSize = klt.getBlockSize();
-  settings.pyramidLevels = klt.getPyramidLevels();
-  m_impl->klt = settings;
+  m_impl->klt.set(klt);
   m_impl->makeCues();
 }
 

@@ -68,20 +68,6 @@ void vpMbMultiCueTracker::Impl::makeRenderer()
   renderer = model && !model->isConvex() ? vpModelRenderer::create(model, preference) : nullptr;
 }
 
-vpPointCueSettings vpMbMultiCueTracker::Impl::pointSettings() const
-{
-  vpPointCueSettings settings;
-  settings.maxFeatures = klt.maxFeatures;
-  settings.windowSize = klt.windowSize;
-  settings.quality = klt.quality;
-  settings.minDistance = klt.minDistance;
-  settings.harris = klt.harris;
-  settings.blockSize = klt.blockSize;
-  settings.pyramidLevels = klt.pyramidLevels;
-  settings.maskBorder = klt.maskBorder;
-  return settings;
-}
-
 void vpMbMultiCueTracker::Impl::makeCues()
 {
   if (!uses(KLT_TRACKER)) {
@@ -89,10 +75,10 @@ void vpMbMultiCueTracker::Impl::makeCues()
     return;
   }
   if (points) {
-    points->setSettings(pointSettings());
+    points->setSettings(klt);
     return;
   }
-  points = std::make_unique<vpPointCue>(pointSettings());
+  points = std::make_unique<vpPointCue>(klt);
   points->setDepthSource([this](const vpHomogeneousMatrix &cMo) { return renderDepth(cMo); });
 }
 

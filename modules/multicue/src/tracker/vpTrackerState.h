@@ -28,7 +28,6 @@ public:
   void makeRenderer();
   //! Makes the cues of the tracker's type.
   void makeCues();
-  vpPointCueSettings pointSettings() const;
   //! Depth at a pose, for new points. Null where the model cannot be drawn.
   const vpRenderedView *renderDepth(const vpHomogeneousMatrix &cMo);
   //! Forgets what was learnt from images.
@@ -52,7 +51,7 @@ public:
   int type = EDGE_TRACKER;
   vpModelViewOptions viewOptions; // Brought up to date by vpMbMultiCueTracker::viewOptions().
   vpMe me;                        // As the user gave it, for getMovingEdge().
-  vpKltSettings klt;
+  vpPointCueSettings klt;
   vpModelOptions modelOptions;
   vpModelRenderer::Preference preference = vpModelRenderer::AUTOMATIC;
   double goodRatio = 0.4;

@@ -16,12 +16,12 @@ struct VISP_EXPORT vpPointCueSettings
   int windowSize = 5;          //!< Side of the window that is followed from frame to frame, pixels, [3, 63].
   double quality = 0.01;       //!< Corners below this share of the best one's strength are left out, (0, 1].
   double minDistance = 5.;     //!< Of two points, pixels, [0, 1000].
-  bool useHarris = true;       //!< Harris' measure of corners ([P14] III-C); false: Shi and Tomasi's.
   double harris = 0.01;        //!< Free parameter of Harris' measure, [0, 1].
   int blockSize = 3;           //!< Side of the window for the corner's strength, pixels, [1, 63].
   int pyramidLevels = 3;       //!< Levels of the image pyramid above the image itself, as in ViSP, [0, 10].
   unsigned int maskBorder = 5; //!< Points closer than this to the silhouette, a crease or a step of the depth are left
                                //!< out, pixels, [0, 100].
+  bool useHarris = true;       //!< Harris' measure of corners ([P14] III-C); false: Shi and Tomasi's.
 
   //! Takes over all that a vpKltOpencv says. \throw vpException naming the first member out of range.
   template <class Klt> void set(const Klt &klt)

@@ -4,26 +4,13 @@
 
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/cues/vpEdgeCue.h>
+#include <visp3/cues/vpPointCue.h>
 #include <visp3/model/vpModelView.h>
 #include <visp3/multicue/vpPoseHypotheses.h>
 
 #include <string>
 
 BEGIN_VISP_NAMESPACE
-
-/*! \ingroup group_multicue_settings Parameters of ViSP's KLT tracker, with its defaults but for the number of points.
- */
-struct VISP_EXPORT vpKltSettings
-{
-  int maxFeatures = 100;       //!< Largest number of points, [1, 100000]; more of them take longer and add little.
-  int windowSize = 5;          //!< Side of the window that is compared, pixels, [3, 63].
-  double quality = 0.01;       //!< Corners below this share of the best one's strength are left out, (0, 1].
-  double minDistance = 5.;     //!< Of two points, pixels, [0, 1000].
-  double harris = 0.01;        //!< Free parameter of Harris' detector, [0, 1].
-  int blockSize = 3;           //!< Side of the window for the corner's strength, pixels, [1, 63].
-  int pyramidLevels = 3;       //!< Levels of the image pyramid, [1, 10].
-  unsigned int maskBorder = 5; //!< Points closer to the border of their face are left out, pixels, [0, 100].
-};
 
 /*! \ingroup group_multicue_settings Everything that a configuration file can say. */
 struct VISP_EXPORT vpMultiCueSettings
@@ -32,7 +19,7 @@ struct VISP_EXPORT vpMultiCueSettings
   vpEdgeCueSettings edge;
   vpPoseHypothesisSettings hypotheses;
   vpModelViewOptions view; //!< Its details are set by the tracker, from the three members below.
-  vpKltSettings klt;
+  vpPointCueSettings klt;
   bool useLod = false;           //!< Leave out what is small in the image, see vpMbTracker::setLod().
   double minLineLength = 50.;    //!< With useLod: shortest line, pixels, >= 0.
   double minPolygonArea = 2500.; //!< With useLod: smallest face, square pixels, >= 0.
