@@ -70,7 +70,7 @@ bool vpMbMultiCueTracker::pointsAgree() const
 }
 
 // Points and the coarse levels of the colours reach far, and bring the pose to where the fine cues find theirs.
-bool vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
+void vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   computeView(frame, m_cMo);
@@ -98,7 +98,6 @@ bool vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
       m_cMo = cMoBefore;
     }
   }
-  return true;
 }
 
 bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)

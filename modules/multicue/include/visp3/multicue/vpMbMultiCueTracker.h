@@ -235,7 +235,7 @@ private:
   void predict();
   void learnStart(const vpCueFrame &frame);
   bool estimateFused(const vpCueFrame &frame);
-  bool estimateCoarse(const vpCueFrame &frame);
+  void estimateCoarse(const vpCueFrame &frame);
   bool minimise(const std::vector<int> &cues);
   bool pointsAgree() const;
   void updateReferences();
