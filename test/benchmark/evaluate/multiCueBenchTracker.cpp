@@ -11,6 +11,13 @@ namespace bench {
 namespace {
 using Preset = std::function<void(vpMbMultiCueTracker &)>;
 
+void setCandidates(vpMbMultiCueTracker &tracker, unsigned int candidates)
+{
+  vpEdgeCueSettings settings = tracker.getEdgeSettings();
+  settings.candidates = candidates;
+  tracker.setEdgeSettings(settings);
+}
+
 // What each preset changes in a tracker with default settings: a new preset is a line here.
 const std::map<std::string, Preset> &presets()
 {
@@ -24,12 +31,25 @@ const std::map<std::string, Preset> &presets()
          vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
          settings.enabled = true;
          tracker.setPoseHypothesisSettings(settings);
-         vpEdgeCueSettings edges = tracker.getEdgeSettings();
-         edges.candidates = 5;
-         tracker.setEdgeSettings(edges);
+         setCandidates(tracker, 5);
        }},
       {"color", [](Tracker &tracker) { tracker.setTrackerType(Tracker::COLOR_TRACKER); }},
       {"point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::KLT_TRACKER); }},
+      {"edge-point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::KLT_TRACKER); }},
+      // [P14]'s ladder: C0 edges with one candidate, C1 several, NM with colours, C4 with points, C5 with prediction.
+      {"c0",
+       [](Tracker &tracker) {
+         tracker.setTrackerType(Tracker::EDGE_TRACKER);
+         setCandidates(tracker, 1);
+       }},
+      {"c0-c1", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER); }},
+      {"nm", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER); }},
+      {"nm-c4", [](Tracker &tracker) { tracker.setTrackerType(all); }},
+      {"nm-c4-c5",
+       [](Tracker &tracker) {
+         tracker.setTrackerType(all);
+         tracker.setPrediction(true);
+       }},
       {"multicue", [](Tracker &tracker) { tracker.setTrackerType(all); }},
       {"multicue-kalman",
        [](Tracker &tracker) {

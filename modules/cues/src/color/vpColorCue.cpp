@@ -22,6 +22,8 @@ const int leastPixels = 3;
 const int leeway = 3;
 // Information, per square pixel, below which a line tells nothing.
 const double noInformation = 1e-12;
+// Evidence of a place that was not seen in the last trusted frame: it is believed.
+const double unknownEvidence = 0.6931; // log(2)
 } // namespace
 
 vpColorCue::vpColorCue(const vpColorCueSettings &settings)
@@ -81,15 +83,35 @@ void vpColorCue::match(const vpCueFrame &frame, const vpModelView &view)
     learnHistograms(1.);
   }
   if (isCoarse()) {
-    const vpContourPosterior posterior(*this);
+    const vpContourPosterior posterior(*this, m_settings.scales[m_level]);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       posterior.evaluate(strip(i), m_lines[i]);
+      doubtLine(m_lines[i]);
     }
   } else if (m_channels == 1) {
     vpFineMatch<1>(*this).run();
   } else {
     vpFineMatch<3>(*this).run();
   }
+}
+
+// Where the histograms did not tell the contour in the last trusted frame, in a shadow, or because the background there
+// has the object's colours, they do not tell it now.
+void vpColorCue::doubtLine(Line &line) const
+{
+  const double likelihood = std::exp(m_memory.evidence(line.position, unknownEvidence));
+  const double belief = std::min(std::max(likelihood - 0.5, 0.), 1.);
+  line.scale *= std::sqrt(belief);
+  line.evidence *= belief;
+}
+
+double vpColorCue::evidence() const
+{
+  double sum = 0.;
+  for (const Line &line : m_lines) {
+    sum += line.evidence;
+  }
+  return m_lines.empty() ? 0. : sum / static_cast<double>(m_lines.size());
 }
 
 std::size_t vpColorCue::rowsOf(const Line &line) const

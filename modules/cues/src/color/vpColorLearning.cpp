@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/cues/vpColorCue.h>
 
+#include "color/vpContourPosterior.h"
 #include "color/vpContourShift.h"
 #include "color/vpLocalStatistics.h"
 
@@ -70,6 +71,27 @@ void vpColorCue::learnHistograms(double rate)
   m_histograms.learn(rate);
 }
 
+// Of outliers too: there it is most needed.
+void vpColorCue::learnEvidence(const vpHomogeneousMatrix &cMo)
+{
+  if (m_settings.scales.empty()) {
+    return;
+  }
+  const vpContourPosterior posterior(*this, m_settings.scales.back());
+  vpContourShift contour(cMo, m_camera);
+  for (std::size_t i = 0; i < m_lines.size(); ++i) {
+    if (!contour.project(m_lines[i]) || !(std::fabs(contour.pixels()) < m_reach)) {
+      continue;
+    }
+    const int shift = static_cast<int>(std::lround(contour.pixels()));
+    Line moved = m_lines[i];
+    moved.first = std::min(moved.first - shift, 0);
+    moved.last = std::max(moved.last - shift, 0);
+    posterior.evaluate(strip(i) + shift, moved);
+    m_memory.addEvidence(moved.position, moved.evidence);
+  }
+}
+
 void vpColorCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)
 {
   std::size_t rows = 0;
@@ -85,6 +107,7 @@ void vpColorCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vect
   findLessons(cMo, weights);
   learnHistograms(m_settings.learningRate);
   m_memory.beginFrame();
+  learnEvidence(cMo);
   const int length = static_cast<int>(m_settings.length);
   for (const Lesson &lesson : m_lessons) {
     const Line &line = m_lines[lesson.line];

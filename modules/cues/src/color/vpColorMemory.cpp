@@ -57,12 +57,13 @@ int vpColorMemory::slotOf(std::uint32_t cell) const
   return static_cast<int>(slot);
 }
 
-void vpColorMemory::add(const Eigen::Vector3d &position, const Means &means)
+// The slot of a place, which is made where there is none; null where the table is full.
+vpColorMemory::Slot *vpColorMemory::take(const Eigen::Vector3d &position)
 {
   const std::uint32_t cell = cellOf(position);
   const int index = slotOf(cell);
   if (index < 0) {
-    return;
+    return nullptr;
   }
   Slot &slot = m_slots[static_cast<std::size_t>(index)];
   if (slot.frame != m_frame) {
@@ -71,20 +72,49 @@ void vpColorMemory::add(const Eigen::Vector3d &position, const Means &means)
     slot.frame = m_frame;
     ++m_used;
   }
-  slot.count += 1.F;
-  slot.sum.object += means.object;
-  slot.sum.background += means.background;
+  return &slot;
+}
+
+const vpColorMemory::Slot *vpColorMemory::look(const Eigen::Vector3d &position) const
+{
+  const int index = slotOf(cellOf(position));
+  return index < 0 || m_slots[static_cast<std::size_t>(index)].frame != m_frame
+             ? nullptr
+             : &m_slots[static_cast<std::size_t>(index)];
+}
+
+void vpColorMemory::add(const Eigen::Vector3d &position, const Means &means)
+{
+  if (Slot *slot = take(position)) {
+    slot->count += 1.F;
+    slot->sum.object += means.object;
+    slot->sum.background += means.background;
+  }
+}
+
+void vpColorMemory::addEvidence(const Eigen::Vector3d &position, double evidence)
+{
+  if (Slot *slot = take(position)) {
+    slot->evidenceCount += 1.F;
+    slot->evidence += static_cast<float>(evidence);
+  }
+}
+
+double vpColorMemory::evidence(const Eigen::Vector3d &position, double unknown) const
+{
+  const Slot *slot = look(position);
+  return slot == nullptr || slot->evidenceCount == 0.F ? unknown
+                                                       : static_cast<double>(slot->evidence / slot->evidenceCount);
 }
 
 bool vpColorMemory::find(const Eigen::Vector3d &position, Means &means) const
 {
-  const int index = slotOf(cellOf(position));
-  if (index < 0 || m_slots[static_cast<std::size_t>(index)].frame != m_frame) {
+  const Slot *slot = look(position);
+  if (slot == nullptr || slot->count == 0.F) {
     return false;
   }
-  const Slot &slot = m_slots[static_cast<std::size_t>(index)];
-  means.object = slot.sum.object / slot.count;
-  means.background = slot.sum.background / slot.count;
+  means.object = slot->sum.object / slot->count;
+  means.background = slot->sum.background / slot->count;
   return true;
 }
 

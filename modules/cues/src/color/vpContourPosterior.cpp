@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 BEGIN_VISP_NAMESPACE
 
@@ -10,10 +11,12 @@ namespace {
 // The step's height, and its width in segments.
 const double height = 0.43;
 const double width = 1.;
+// What hides the contour is not impossible.
+const double leastLikelihood = 0.02 / 13.;
 } // namespace
 
-vpContourPosterior::vpContourPosterior(const vpColorCue &cue)
-    : m_histograms(cue.m_histograms), m_scale(static_cast<int>(cue.m_settings.scales[cue.m_level])),
+vpContourPosterior::vpContourPosterior(const vpColorCue &cue, unsigned int scale)
+    : m_histograms(cue.m_histograms), m_scale(static_cast<int>(scale)),
       m_contourVariance(cue.m_settings.contourDeviation * cue.m_settings.contourDeviation)
 {
   for (int i = 0; i < 2 * around; ++i) {
@@ -54,6 +57,7 @@ void vpContourPosterior::evaluate(const std::uint32_t *pixels, vpColorCue::Line 
   double sum = 0.;
   double first = 0.;
   double second = 0.;
+  double here = 0.;
   for (int c = -borders; c <= borders; ++c) {
     const float *segments = object.data() + (c + borders);
     float p = 1.F;
@@ -64,9 +68,11 @@ void vpContourPosterior::evaluate(const std::uint32_t *pixels, vpColorCue::Line 
     sum += static_cast<double>(p);
     first += place * static_cast<double>(p);
     second += place * place * static_cast<double>(p);
+    here += std::abs(c) <= 1 ? static_cast<double>(p) / 3. : 0.;
   }
   const double mean = first / sum;
   const double variance = second / sum - mean * mean + m_spread;
+  line.evidence = std::log(std::max(here, leastLikelihood * sum) * (2 * borders + 1) / sum);
   line.offset = mean;
   const double information = 1. / (variance + m_contourVariance) - 1. / m_noInformation;
   line.scale = std::sqrt(std::max(0., information));

@@ -25,7 +25,8 @@ public:
   //! \return Pixels that a line has on both sides.
   static int reach(unsigned int scale) { return (borders + around) * static_cast<int>(scale) + 1; }
 
-  explicit vpContourPosterior(const vpColorCue &cue);
+  //! \param scale Pixels of a segment.
+  vpContourPosterior(const vpColorCue &cue, unsigned int scale);
 
   //! Sets offset and scale of \e line. \param pixels Of the line, by offset.
   void evaluate(const std::uint32_t *pixels, vpColorCue::Line &line) const;

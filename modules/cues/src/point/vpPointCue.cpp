@@ -16,6 +16,8 @@ const double pointNoise = 0.3;
 // Points with less robust weight are called outliers and teach nothing.
 const double outlierWeight = 0.1;
 const std::size_t rowsPerPoint = 2;
+// How far a new point may be from where the pose has it, pixels.
+const double agreement = 2.;
 } // namespace
 
 class vpPointCue::Impl
@@ -23,10 +25,17 @@ class vpPointCue::Impl
 public:
   explicit Impl(const vpPointCueSettings &settings) : tracks(settings) {}
 
+  // A point that gave no row, with a pose that it had no part in.
+  bool agrees(const Match &match, const vpPointCamera &at) const
+  {
+    const Eigen::Vector3d cX = at.toCamera(match.position);
+    return cX.z() > 0. && (at.project(cX) - match.pixel).norm() < agreement;
+  }
+
   std::size_t found() const
   {
     return static_cast<std::size_t>(
-        std::count_if(matches.begin(), matches.end(), [](const Match &match) { return match.found; }));
+        std::count_if(matches.begin(), matches.end(), [](const Match &match) { return match.found && match.proven; }));
   }
 
   vpPointTracks tracks;
@@ -97,7 +106,7 @@ void vpPointCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &bloc
   block.noise = pointNoise / m_impl->camera.get_px();
   const vpPointCamera camera(cMo, m_impl->camera);
   for (const Match &match : m_impl->matches) {
-    if (!match.found) {
+    if (!match.found || !match.proven) {
       continue;
     }
     block.rows.resize(block.rows.size() + rowsPerPoint);
@@ -130,10 +139,15 @@ void vpPointCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vect
         weights.size(), rowsPerPoint * impl.found());
   }
   impl.trusted.clear();
+  const vpPointCamera camera(cMo, impl.camera);
   std::size_t row = 0;
   for (const Match &match : impl.matches) {
-    impl.trusted.push_back(match.found && weights[row] > outlierWeight && weights[row + 1] > outlierWeight);
-    row += match.found ? rowsPerPoint : 0;
+    if (match.found && match.proven) {
+      impl.trusted.push_back(weights[row] > outlierWeight && weights[row + 1] > outlierWeight);
+      row += rowsPerPoint;
+    } else {
+      impl.trusted.push_back(match.found && impl.agrees(match, camera));
+    }
   }
   impl.tracks.learn(cMo, impl.matches, impl.trusted, impl.depthSource);
 }
@@ -148,7 +162,7 @@ void vpPointCue::getFeatures(const vpHomogeneousMatrix &, const std::vector<doub
     feature.u = match.pixel.x();
     feature.v = match.pixel.y();
     feature.state = match.found ? vpFeatureState::GOOD : vpFeatureState::CONTRAST;
-    if (match.found) {
+    if (match.found && match.proven) {
       const bool isRefused = row + 1 < weights.size() && std::min(weights[row], weights[row + 1]) <= outlierWeight;
       feature.state = isRefused ? vpFeatureState::OUTLIER : vpFeatureState::GOOD;
       row += rowsPerPoint;

@@ -21,6 +21,8 @@ const double patchRoom = vpSurfacePatch::half + 2.;
 const int mostMisses = 3;
 const double refreshShare = 0.75;
 const int refreshAge = 10; // Trusted frames.
+// Frames in which a new point has to agree with the pose before it takes part in it.
+const int trialFrames = 2;
 // Masks are looked at once for each block when new points are chosen; a found point is always checked by itself.
 const int maskBlock = 4; // Pixels.
 } // namespace
@@ -33,6 +35,7 @@ void vpPointTracks::forget()
   m_found = 0;
   m_fullCount = static_cast<std::size_t>(m_settings.maxFeatures);
   m_age = 0;
+  m_hasStarted = false;
 }
 
 bool vpPointTracks::lacksPoints() const
@@ -86,7 +89,7 @@ void vpPointTracks::expectTracks(const vpCueFrame &frame, const vpModelView &vie
         (view.depth() != nullptr && vpSurfaceReader(*view.depth()).hides(pixel, cX.z()))) {
       continue;
     }
-    matches.push_back({track.surface.position, pixel, false});
+    matches.push_back({track.surface.position, pixel, false, track.trial == 0});
     m_trackOf.push_back(static_cast<int>(i));
     const bool isFollowed = track.misses == 0;
     m_flowOf.push_back(isFollowed ? static_cast<std::ptrdiff_t>(m_flow.size()) : -1);
@@ -169,6 +172,7 @@ void vpPointTracks::learn(const vpHomogeneousMatrix &cMo, const std::vector<vpPo
     if (trusted[i] != 0 && m_trackOf[i] >= 0) {
       Track &track = m_tracks[static_cast<std::size_t>(m_trackOf[i])];
       track.misses = 0;
+      track.trial = std::max(track.trial - 1, 0);
       track.pixel = matches[i].pixel;
     }
   }
@@ -219,7 +223,8 @@ void vpPointTracks::renew(Track &track, const vpPointCamera &camera)
 bool vpPointTracks::isLost(const Track &track, const vpPointCamera &camera) const
 {
   const Eigen::Vector3d cX = camera.toCamera(track.surface.position);
-  return track.misses > mostMisses || !(cX.z() > 0.) || !track.surface.isFacing(camera, cX) ||
+  const int allowed = track.trial > 0 ? 0 : mostMisses; // A new point that disagrees once is no point of the object.
+  return track.misses > allowed || !(cX.z() > 0.) || !track.surface.isFacing(camera, cX) ||
          !m_reference.contains(track.pixel, patchRoom);
 }
 
@@ -242,6 +247,8 @@ void vpPointTracks::markAllowed(const vpSurfaceReader &reader, cv::Mat &mask) co
 void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView &rendered)
 {
   const vpSurfaceReader reader(rendered);
+  const bool isStart = !m_hasStarted; // The user's pose vouches for those points.
+  m_hasStarted = true;
   const auto isHidden = [&](const Track &track) {
     return reader.hides(camera.project(camera.toCamera(track.surface.position)),
                         camera.toCamera(track.surface.position).z());
@@ -260,6 +267,7 @@ void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView 
         track.surface.isFacing(camera, camera.toCamera(track.surface.position))) {
       track.first.across = track.surface.across;
       track.first.patch.take(m_reference.pixels(), corner);
+      track.trial = isStart ? 0 : trialFrames;
       m_tracks.push_back(track);
     }
   }

@@ -49,6 +49,7 @@ private:
     bool hasLater = false;
     Eigen::Vector2d pixel; // In the reference image.
     int misses = 0;        // Trusted frames since it was found.
+    int trial = 0;         // Trusted frames that it has to agree with yet.
   };
 
   bool lacksPoints() const;
@@ -73,6 +74,7 @@ private:
   std::size_t m_found = 0;
   std::size_t m_fullCount = 0; // Points after the last refresh.
   int m_age = 0;               // Trusted frames since.
+  bool m_hasStarted = false;   // Points were looked for since forget().
 
   vpPointFlow m_flow;
   std::vector<std::ptrdiff_t> m_flowOf; // For each match its place in m_flow, -1: none.

@@ -15,9 +15,17 @@ void vpCueFusion::add(int type, const vpPoseCue &cue)
   part.weights.clear();
 }
 
-unsigned int vpCueFusion::start(const vpHomogeneousMatrix &cMo)
+unsigned int vpCueFusion::cueRows() const
 {
   std::size_t rows = 0;
+  for (std::size_t i = 0; i < m_count; ++i) {
+    rows += m_parts[i].part.block.rows.size();
+  }
+  return static_cast<unsigned int>(rows);
+}
+
+unsigned int vpCueFusion::start(const vpHomogeneousMatrix &cMo)
+{
   for (std::size_t i = 0; i < m_count; ++i) {
     Memory &memory = m_parts[i];
     vpResidualBlock &block = memory.part.block;
@@ -26,9 +34,8 @@ unsigned int vpCueFusion::start(const vpHomogeneousMatrix &cMo)
     memory.w.resize(static_cast<unsigned int>(block.rows.size()), false);
     memory.w = 1.;
     memory.robust.setMinMedianAbsoluteDeviation(block.noise);
-    rows += block.rows.size();
   }
-  return static_cast<unsigned int>(rows);
+  return cueRows() + (m_prior.isSet() ? vpPosePrior::rows : 0);
 }
 
 void vpCueFusion::evaluate(const vpHomogeneousMatrix &cMo, vpColVector &error, vpMatrix &L)
@@ -46,6 +53,17 @@ void vpCueFusion::evaluate(const vpHomogeneousMatrix &cMo, vpColVector &error, v
       }
       ++k;
     }
+  }
+  if (!m_prior.isSet()) {
+    return;
+  }
+  m_prior.residuals(cMo, m_priorRows);
+  for (const vpResidual &row : m_priorRows) {
+    error[k] = row.error;
+    for (unsigned int j = 0; j < 6; ++j) {
+      L[k][j] = row.jacobian[j];
+    }
+    ++k;
   }
 }
 
@@ -73,6 +91,13 @@ void vpCueFusion::weigh(const Weigh &weigh, vpColVector &error, vpMatrix &L, vpC
       const Eigen::Matrix<double, 6, 1> whitened = row.jacobian / scale;
       m_information.noalias() += w[k] * row.weight * whitened * whitened.transpose();
       ++k;
+    }
+  }
+  for (unsigned int i = 0; m_prior.isSet() && i < vpPosePrior::rows; ++i, ++k) {
+    w[k] = 1.;
+    error[k] *= reference;
+    for (unsigned int j = 0; j < 6; ++j) {
+      L[k][j] *= reference;
     }
   }
 }

@@ -2,6 +2,8 @@
 #ifndef vpCueFusion_h
 #define vpCueFusion_h
 
+#include "tracker/vpPosePrior.h"
+
 #include <visp3/core/vpColVector.h>
 #include <visp3/core/vpMatrix.h>
 #include <visp3/core/vpRobust.h>
@@ -33,9 +35,18 @@ public:
   //! ViSP's robust weights of a cue's errors.
   using Weigh = std::function<void(vpRobust &robust, const vpColVector &error, vpColVector &w)>;
 
-  void clear() { m_count = 0; }
+  void clear()
+  {
+    m_count = 0;
+    m_prior.clear();
+  }
   //! \param cue Matched; has to live until the next clear().
   void add(int type, const vpPoseCue &cue);
+
+  //! What is known beforehand: its rows come last, and are not weighed. clear() forgets it.
+  void setPrior(const vpPosePrior &prior) { m_prior = prior; }
+  //! Number of rows of the cues alone.
+  unsigned int cueRows() const;
 
   //! Takes the cues' equations at a pose. \return Number of rows.
   unsigned int start(const vpHomogeneousMatrix &cMo);
@@ -58,8 +69,12 @@ public:
         use(row);
       }
     }
+    for (std::size_t i = 0; m_prior.isSet() && i < m_priorRows.size(); ++i) {
+      use(m_priorRows[i]);
+    }
   }
   //! Inverse covariance of the pose's error in the camera's frame, from the last weigh(): each row has unit variance.
+  //! Of the cues alone.
   const Eigen::Matrix<double, 6, 6> &information() const { return m_information; }
 
 private:
@@ -73,6 +88,8 @@ private:
 
   std::vector<Memory> m_parts;
   std::size_t m_count = 0;
+  vpPosePrior m_prior;
+  std::array<vpResidual, vpPosePrior::rows> m_priorRows;
   Eigen::Matrix<double, 6, 6> m_information = Eigen::Matrix<double, 6, 6>::Zero();
 };
 

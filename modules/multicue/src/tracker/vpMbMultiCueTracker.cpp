@@ -193,6 +193,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     m_impl->trusted = m_cMo;
     updateReferences();
     m_impl->learnResidue();
+    learnSurprise();
     updateMotion();
   }
   if (m_impl->throwOnLoss) {
@@ -204,6 +205,17 @@ void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneo
 {
   const vpStopwatch stage(m_impl->timings.view);
   m_impl->view->compute(cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
+  m_impl->viewedFrame = frame.number();
+}
+
+// Keeps a view of this frame that is near enough, pixels.
+void vpMbMultiCueTracker::updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near)
+{
+  Impl &impl = *m_impl;
+  const bool isOfFrame = impl.viewedFrame == frame.number();
+  if (!isOfFrame || vpControlPointMotion::mean(*impl.view, cMo, frame.camera()) > near) {
+    computeView(frame, cMo);
+  }
 }
 
 void vpMbMultiCueTracker::match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)

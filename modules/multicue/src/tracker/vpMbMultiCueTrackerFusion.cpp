@@ -24,6 +24,20 @@ const double maxMotion = 1.;
 const std::size_t fewestPoints = 12;
 // Share of the points looked for that have to agree on a pose.
 const double leastAgreeing = 0.5;
+// Points that move the object by more than this have to agree with the colours, pixels.
+const double contradiction = 3.;
+// A level of the colours that is fine enough to tell poses apart, and reaches far enough to be wrong about both.
+const unsigned int evidenceLevel = 1;
+// A view serves poses that move its control points by less than this, pixels; coarse levels: times their scale.
+const double nearMotion = 0.5;
+// How far a point may be from where a pose that it had no part in has it, pixels.
+const double agreement = 2.;
+// How far from where it is expected the object may well be: in diameters, and radians.
+const double leastMotion = 0.04;
+const double mostMotion = 0.15;
+// In standard deviations of how far it was from there in the frames before.
+const double motionFactor = getenv("MF") ? atof(getenv("MF")) : 2.;
+const double motionRate = 0.2;
 // The pose's deviation is not believed to be below this share of the diameter, and this angle.
 const double leastTranslation = 5e-4;
 const double leastRotation = 1e-3; // Radians.
@@ -37,6 +51,7 @@ void vpMbMultiCueTracker::predict()
   if (impl.predicts && impl.kalman.isStarted()) {
     m_cMo = impl.kalman.predict(impl.sinceUpdate).cMo;
   }
+  impl.expectedPose = m_cMo;
 }
 
 // The cues that are matched take part in one minimisation.
@@ -45,7 +60,7 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
   Impl &impl = *m_impl;
   impl.fusion.clear();
   for (const int cue : cues) {
-    if (!impl.uses(cue)) {
+    if (!impl.uses(cue) || (cue == KLT_TRACKER && !impl.usesPoints)) {
       continue;
     }
     if (cue == EDGE_TRACKER) {
@@ -55,6 +70,10 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
     } else {
       impl.fusion.add(cue, *impl.points);
     }
+  }
+  if (impl.type != EDGE_TRACKER) {
+    setPrior();
+    impl.fusion.setPrior(impl.prior);
   }
   return computeVVS();
 }
@@ -69,28 +88,60 @@ bool vpMbMultiCueTracker::pointsAgree() const
          static_cast<double>(kept) >= 2. * leastAgreeing * static_cast<double>(m_impl->points->matches().size());
 }
 
+// How well the colours agree with a pose, see vpColorCue::evidence().
+double vpMbMultiCueTracker::colorEvidence(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+{
+  Impl &impl = *m_impl;
+  updateView(frame, cMo, nearMotion);
+  const vpStopwatch stage(impl.timings.match);
+  impl.color.setLevel(evidenceLevel);
+  impl.color.match(frame, *impl.view);
+  return impl.color.evidence();
+}
+
+// Points reach far. Those of what passes in front of the object agree on a pose, too, but the colours do not.
+void vpMbMultiCueTracker::estimateByPoints(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  {
+    const vpStopwatch stage(impl.timings.match);
+    impl.points->match(frame, *impl.view);
+  }
+  impl.usesPoints = true;
+  const vpHomogeneousMatrix cMoBefore = m_cMo;
+  if (!minimise({KLT_TRACKER}) || !pointsAgree()) {
+    m_cMo = cMoBefore;
+    return;
+  }
+  const bool hasCoarse = impl.uses(COLOR_TRACKER) && evidenceLevel < impl.color.settings().scales.size();
+  if (!hasCoarse || vpControlPointMotion::mean(*impl.view, m_cMo, frame.camera()) < contradiction) {
+    return;
+  }
+  const double before = colorEvidence(frame, cMoBefore);
+  if (colorEvidence(frame, m_cMo) < before) {
+    m_cMo = cMoBefore;
+    impl.usesPoints = false;
+  }
+}
+
 // Points and the coarse levels of the colours reach far, and bring the pose to where the fine cues find theirs.
 void vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  computeView(frame, m_cMo);
+  updateView(frame, m_cMo, 0.);
+  impl.usesPoints = false;
   if (impl.uses(KLT_TRACKER)) {
-    {
-      const vpStopwatch stage(impl.timings.match);
-      impl.points->match(frame, *impl.view);
-    }
-    const vpHomogeneousMatrix cMoBefore = m_cMo;
-    if (!minimise({KLT_TRACKER}) || !pointsAgree()) {
-      m_cMo = cMoBefore;
-    }
+    estimateByPoints(frame);
   }
   const unsigned int coarse = static_cast<unsigned int>(impl.color.settings().scales.size());
   const unsigned int matches = impl.uses(COLOR_TRACKER) && coarse > 0 ? coarse + 1 : 0;
   for (unsigned int i = 0; i < matches; ++i) {
-    computeView(frame, m_cMo);
+    const unsigned int level =
+        i > 0 ? i - 1 : 0; // The coarsest one twice: its lines reach farther when they lie better.
+    updateView(frame, m_cMo, nearMotion * impl.color.settings().scales[level]);
     {
       const vpStopwatch stage(impl.timings.match);
-      impl.color.setLevel(i > 0 ? i - 1 : 0); // The coarsest one twice: its lines reach farther when they lie better.
+      impl.color.setLevel(level);
       impl.color.match(frame, *impl.view);
     }
     const vpHomogeneousMatrix cMoBefore = m_cMo;
@@ -100,13 +151,40 @@ void vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
   }
 }
 
+// Around the current pose, as wide as the object was off the expected poses lately.
+void vpMbMultiCueTracker::setPrior()
+{
+  Impl &impl = *m_impl;
+  const vpTrackedModel &model = *impl.model;
+  const auto width = [](double variance) {
+    return std::min(std::max(motionFactor * std::sqrt(variance), leastMotion), mostMotion);
+  };
+  vpPoseTangent deviations;
+  deviations.head<3>().setConstant(width(impl.surprise[0]) * model.diameter());
+  deviations.tail<3>().setConstant(width(impl.surprise[1]));
+  impl.prior.set(m_cMo, 0.5 * (model.boxMin() + model.boxMax()), deviations);
+}
+
+// How far the object was from where it was expected.
+void vpMbMultiCueTracker::learnSurprise()
+{
+  Impl &impl = *m_impl;
+  const vpTrackedModel &model = *impl.model;
+  const Eigen::Vector3d centre = 0.5 * (model.boxMin() + model.boxMax());
+  const Eigen::Isometry3d moved = vpPoseExponential::toEigen(impl.expectedPose.inverse() * m_cMo);
+  const double distance = (moved * centre - centre).norm() / model.diameter();
+  const double angle = Eigen::AngleAxisd(moved.linear()).angle();
+  impl.surprise[0] += motionRate * (distance * distance - impl.surprise[0]);
+  impl.surprise[1] += motionRate * (angle * angle - impl.surprise[1]);
+}
+
 bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   const vpHomogeneousMatrix cMoStart = m_cMo;
   estimateCoarse(frame);
   for (unsigned int i = 0; i < maxMatches; ++i) {
-    computeView(frame, m_cMo);
+    updateView(frame, m_cMo, nearMotion);
     {
       const vpStopwatch stage(impl.timings.match);
       if (impl.uses(EDGE_TRACKER)) {
@@ -148,6 +226,23 @@ void vpMbMultiCueTracker::updateReferences()
       impl.points->updateReference(m_cMo, part.weights);
     }
   }
+  if (impl.uses(KLT_TRACKER) && impl.fusion.find(KLT_TRACKER) == nullptr) {
+    updateRefusedPoints();
+  }
+}
+
+// Points had no part in the pose: those that agree with it nevertheless are the object's.
+void vpMbMultiCueTracker::updateRefusedPoints()
+{
+  Impl &impl = *m_impl;
+  vpResidualBlock block;
+  impl.points->residuals(m_cMo, block);
+  std::vector<double> weights;
+  const double largest = agreement / impl.frameCamera.get_px();
+  for (const vpResidual &row : block.rows) {
+    weights.push_back(std::fabs(row.error) < largest ? 1. : 0.);
+  }
+  impl.points->updateReference(m_cMo, weights);
 }
 
 void vpMbMultiCueTracker::updateMotion()

@@ -128,7 +128,7 @@ bool vpMbMultiCueTracker::computeVVS()
   Impl &impl = *m_impl;
   const vpStopwatch stage(impl.timings.pose);
   computeVVSInit();
-  if (m_error.getRows() < minRows) {
+  if (impl.fusion.cueRows() < minRows) {
     return false;
   }
   const vpMatrix chosen = oJo;

@@ -15,6 +15,8 @@ const double explained = 0.8; // Pixels.
 // Objects with edges that the image hardly shows never get there: a pose may leave this much more than the ones before.
 const double usualFactor = 1.15;
 const double usualRate = 0.2;
+// Squared, in diameters or radians: nothing is known of the object's motion yet.
+const double firstSurprise = 0.05 * 0.05;
 } // namespace
 
 const char *toString(vpTrackingState state)
@@ -128,6 +130,8 @@ void vpMbMultiCueTracker::Impl::forgetImages()
 {
   edges = vpEdgeCue(edges.settings());
   color.reset();
+  usesPoints = true;
+  surprise.fill(firstSurprise);
   if (points) {
     points->reset();
   }

@@ -76,6 +76,8 @@ public:
   vpEdgeCue edges;
   vpColorCue color;
   std::unique_ptr<vpPointCue> points; // Null where they are not asked for.
+  bool usesPoints = true;             // False where they contradict the other cues in this frame.
+  unsigned long long viewedFrame = 0; // That the view is of.
   vpPoseHypotheses hypotheses;
   double usualResidue = 0.;       // Of the best hypothesis in trusted frames, pixels; 0: none yet.
   std::uint64_t draws = 0;        // Since the start: each has a stream of random numbers.
@@ -85,6 +87,9 @@ public:
 
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
+  vpPosePrior prior;
+  vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.
+  std::array<double, 2> surprise = {0., 0.}; // Mean squared distance from it, in diameters and radians.
   vpColVector weightedError;
   vpColVector errorBefore;
   vpMatrix LTL;

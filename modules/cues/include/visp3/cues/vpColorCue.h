@@ -44,6 +44,7 @@ public:
     int last = 0;             //!< Offset of the last one, >= 0.
     int sampleFirst = 0;      //!< Fine levels: index of its first pixel near the contour.
     int sampleCount = 0;      //!< Fine levels: their number.
+    double evidence = 0.;     //!< Coarse levels: see vpColorCue::evidence().
     double offset = 0.;       //!< Coarse levels: where the contour seems to be, pixels.
     double scale = 0.;        //!< Coarse levels: errors per pixel of the contour's distance. Fine levels: errors are
                               //!< multiplied by this, so that no line claims to know its contour too well.
@@ -72,6 +73,12 @@ public:
 
   //! The lines of the last match.
   const std::vector<Line> &lines() const { return m_lines; }
+  /*!
+    How well the view of the last match explains the image's colours; coarse levels only.
+    \return Mean over the lines of the logarithm of how much likelier the contour is where the view has it than anywhere
+    within reach: 0 where the colours tell nothing, about 1 to 1.5 where all is well, negative at a wrong pose.
+  */
+  double evidence() const;
   const vpColorHistograms &histograms() const { return m_histograms; }
 
 private:
@@ -125,6 +132,8 @@ private:
   double weightOf(const Line &line, const double *weights) const;
   void findLessons(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights);
   void learnHistograms(double rate);
+  void learnEvidence(const vpHomogeneousMatrix &cMo);
+  void doubtLine(Line &line) const;
 
   vpColorCueSettings m_settings;
   unsigned int m_level = 0;

@@ -32,6 +32,10 @@ public:
   void beginFrame();
   //! Adds means at a place, object frame, metres. Means of places that are close together are averaged.
   void add(const Eigen::Vector3d &position, const Means &means);
+  //! Adds how well the histograms told the contour at a place, see vpColorCue::evidence().
+  void addEvidence(const Eigen::Vector3d &position, double evidence);
+  //! \return Mean evidence at a place; \e unknown where there is none.
+  double evidence(const Eigen::Vector3d &position, double unknown) const;
   //! \return False where nothing is known of a place. \param means Set where something is.
   bool find(const Eigen::Vector3d &position, Means &means) const;
 
@@ -42,11 +46,15 @@ private:
     std::uint32_t frame = 0; // In use where it is the current one.
     float count = 0.F;
     Means sum;
+    float evidenceCount = 0.F;
+    float evidence = 0.F; // Sum.
   };
 
   std::uint32_t cellOf(const Eigen::Vector3d &position) const;
   // The slot of a cell, or the free one where it would go; -1 where the table is full.
   int slotOf(std::uint32_t cell) const;
+  Slot *take(const Eigen::Vector3d &position);
+  const Slot *look(const Eigen::Vector3d &position) const;
 
   std::vector<Slot> m_slots;
   std::uint32_t m_frame = 1;

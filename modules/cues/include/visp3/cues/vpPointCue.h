@@ -70,6 +70,9 @@ public:
     Eigen::Vector3d position; //!< Object frame, metres.
     Eigen::Vector2d pixel;    //!< Where it was found, else where it was expected, pixels.
     bool found = false;
+    //! A new point has to agree with the pose of other points and cues for some frames before it gives rows: what
+    //! passes in front of the object has points too.
+    bool proven = true;
   };
   //! \return Depth of the object at a pose for the image of the last match(), any scale; null where it cannot be had.
   using DepthSource = std::function<const vpRenderedView *(const vpHomogeneousMatrix &cMo)>;
@@ -90,7 +93,7 @@ public:
   //! \e view has to be of the pose that is expected: pose() and, where it has one, depth() of it are used. A frame of
   //! another size or camera than the one before makes the cue forget its points.
   void match(const vpCueFrame &frame, const vpModelView &view) override;
-  //! Two rows, x and y, for each point found, in the order of matches().
+  //! Two rows, x and y, for each point found and proven, in the order of matches().
   void residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block) const override;
   void updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights) override;
   void reset() override;

@@ -233,12 +233,18 @@ private:
   double imageMotion(const vpColVector &velocity) const;
   unsigned int getNbFeatures(int type) const;
   void predict();
+  void setPrior();
+  void learnSurprise();
   void learnStart(const vpCueFrame &frame);
   bool estimateFused(const vpCueFrame &frame);
   void estimateCoarse(const vpCueFrame &frame);
   bool minimise(const std::vector<int> &cues);
   bool pointsAgree() const;
   void updateReferences();
+  void updateRefusedPoints();
+  double colorEvidence(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void estimateByPoints(const vpCueFrame &frame);
+  void updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near);
   void updateMotion();
   bool estimate(const vpCueFrame &frame);
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
