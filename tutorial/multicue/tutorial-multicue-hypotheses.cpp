@@ -28,6 +28,19 @@ void drawLine(cv::Mat &picture, const cv::Point2d &a, const cv::Point2d &b, cons
   cv::line(picture, cv::Point(a * (1 << bits)), cv::Point(b * (1 << bits)), color, thickness, cv::LINE_AA, bits);
 }
 
+// What is around the object.
+cv::Rect surroundings(const vpModelView &view, const cv::Size &size)
+{
+  const int margin = 25;
+  std::vector<cv::Point2f> points;
+  for (const vpControlPoint &point : view.points()) {
+    points.emplace_back(toPoint(point.pixel));
+  }
+  const cv::Rect box = cv::boundingRect(points);
+  return cv::Rect(box.tl() - cv::Point(margin, margin), box.br() + cv::Point(margin, margin)) &
+         cv::Rect(cv::Point(0, 0), size);
+}
+
 void write(const std::string &pattern, int number, const cv::Mat &picture)
 {
   const std::string file = FilePattern(pattern).name(number);
@@ -37,11 +50,13 @@ void write(const std::string &pattern, int number, const cv::Mat &picture)
 }
 
 //! [Candidates]
-// The normals along which was searched, and everything that was found on them.
+// Normals along which was searched, and everything that was found on them.
 void drawCandidates(cv::Mat &picture, const vpEdgeCue &edges)
 {
   const double range = edges.settings().range;
-  for (const vpEdgeCue::Match &match : edges.matches()) {
+  const std::size_t every = 3; // All normals would hide the image.
+  for (std::size_t k = 0; k < edges.matches().size(); k += every) {
+    const vpEdgeCue::Match &match = edges.matches()[k];
     const vpControlPoint &point = match.point;
     drawLine(picture, toPoint(point.pixel - range * point.normal), toPoint(point.pixel + range * point.normal),
              cv::Scalar(230, 180, 60), 1);
@@ -67,13 +82,13 @@ void drawPotentialEdges(cv::Mat &picture, const vpPoseHypotheses &hypotheses)
 //! [Lines]
 
 //! [Poses]
-// The best one in green and on top, the next ones in red and blue.
+// The best one in green and on top, the next one in red.
 void drawPoses(cv::Mat &picture, vpMbMultiCueTracker &tracker, const std::vector<vpPoseHypothesis> &found)
 {
-  const cv::Scalar colors[] = {{60, 200, 60}, {60, 60, 255}, {255, 130, 40}};
+  const cv::Scalar colors[] = {{60, 220, 60}, {60, 60, 255}};
   vpCameraParameters cam;
   tracker.getCameraParameters(cam);
-  for (std::size_t h = std::min<std::size_t>(found.size(), 3); h-- > 0;) {
+  for (std::size_t h = std::min<std::size_t>(found.size(), 2); h-- > 0;) {
     for (const std::vector<double> &line : tracker.getModelForDisplay(
              static_cast<unsigned int>(picture.cols), static_cast<unsigned int>(picture.rows), found[h].cMo, cam)) {
       drawLine(picture, {line[2], line[1]}, {line[4], line[3]}, colors[h], 2);
@@ -127,9 +142,10 @@ void run(const TrackerOptions &options)
   drawCandidates(candidates, edges);
   drawPotentialEdges(lines, hypotheses);
   drawPoses(image, tracker, found);
-  write(options.save, 1, candidates);
-  write(options.save, 2, lines);
-  write(options.save, 3, image);
+  const cv::Rect part = surroundings(view, image.size());
+  write(options.save, 1, candidates(part));
+  write(options.save, 2, lines(part));
+  write(options.save, 3, image(part));
   print(found);
 }
 } // namespace
