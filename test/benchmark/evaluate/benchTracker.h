@@ -29,6 +29,8 @@ struct TrackerAnswer
   vpTrackingState state = vpTrackingState::LOST;
   double score = std::numeric_limits<double>::quiet_NaN(); //!< [0, 1]; not a number where the tracker has none.
   std::vector<double> stages;                              //!< Milliseconds, in the order of BenchTracker::stages().
+  //! Pose hypotheses that were minimised; not a number where the tracker knows none.
+  double minimisations = std::numeric_limits<double>::quiet_NaN();
 };
 
 //! A tracker under test. What an image shows does not make it throw.

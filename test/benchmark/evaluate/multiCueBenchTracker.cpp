@@ -86,6 +86,7 @@ public:
     answer.score = m_tracker.getSupport();
     const vpTrackingTimings &timings = m_tracker.getTimings();
     answer.stages = {timings.frame, timings.view, timings.match, timings.pose};
+    answer.minimisations = m_tracker.getNbPoseMinimisations();
     return answer;
   }
 

@@ -18,6 +18,9 @@ namespace bench {
 namespace {
 using Json = nlohmann::json;
 
+// Of the .json files; one of another format is made again.
+const int format = 1;
+
 // JSON has no infinity and no "not a number".
 Json toJson(double value)
 {
@@ -48,7 +51,8 @@ vpTrackingState toState(const std::string &name)
 std::string toCsv(const std::vector<FrameRecord> &records)
 {
   std::ostringstream csv;
-  csv << "frame,r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz,ms,reset,state,score\n" << std::setprecision(17);
+  csv << "frame,r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz,ms,reset,state,score,minimisations\n"
+      << std::setprecision(17);
   for (const FrameRecord &record : records) {
     csv << record.frame;
     for (unsigned int i = 0; i < 12; ++i) {
@@ -58,6 +62,10 @@ std::string toCsv(const std::vector<FrameRecord> &records)
         << toString(record.answer.state) << ",";
     if (std::isfinite(record.answer.score)) {
       csv << record.answer.score;
+    }
+    csv << ",";
+    if (std::isfinite(record.answer.minimisations)) {
+      csv << record.answer.minimisations;
     }
     csv << "\n" << std::setprecision(17);
   }
@@ -73,6 +81,7 @@ Json toJson(const FrameRecord &record)
           {"state", toString(record.answer.state)},
           {"score", toJson(record.answer.score)},
           {"stages", record.answer.stages},
+          {"minimisations", toJson(record.answer.minimisations)},
           {"counted", record.counted},
           {"success", record.success},
           {"right", record.right},
@@ -92,6 +101,7 @@ FrameRecord toRecord(const Json &json)
   record.answer.state = toState(json.at("state"));
   record.answer.score = toNumber(json.at("score"), std::nan(""));
   record.answer.stages = json.at("stages").get<std::vector<double>>();
+  record.answer.minimisations = toNumber(json.at("minimisations"), std::nan(""));
   record.counted = json.at("counted");
   record.success = json.at("success");
   record.right = json.at("right");
@@ -116,7 +126,7 @@ void writeFile(const std::string &file, const std::string &text)
 
 void writeRun(const std::string &folder, const RunResult &run, const std::string &fingerprint)
 {
-  Json json = {{"fingerprint", fingerprint}, {"frames", Json::array()}, {"stages", Json::array()}};
+  Json json = {{"format", format}, {"fingerprint", fingerprint}, {"frames", Json::array()}, {"stages", Json::array()}};
   for (const auto &stage : run.summary.stages) {
     json["stages"].push_back(stage.first);
   }
@@ -133,7 +143,8 @@ bool readRun(const std::string &folder, const RunKey &key, const std::string &fi
 {
   std::ifstream stream(folder + "/" + key.fileName() + ".json");
   const Json json = Json::parse(stream, nullptr, false);
-  if (!stream || json.is_discarded() || !json.is_object() || json.value("fingerprint", "") != fingerprint) {
+  if (!stream || json.is_discarded() || !json.is_object() || json.value("fingerprint", "") != fingerprint ||
+      json.value("format", 0) != format) {
     return false;
   }
   run.records.clear();

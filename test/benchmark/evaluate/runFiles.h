@@ -14,14 +14,13 @@ struct RunResult
 };
 
 /*!
-  Writes <folder>/<name>.csv (frame, 12 numbers of cMo row by row, ms, reset, state, score) and <folder>/<name>.json.
-  Each is complete or not there at all.
-  \param fingerprint Of all that the result depends on.
+  Writes <folder>/<name>.csv (frame, 12 numbers of cMo row by row, ms, reset, state, score, minimisations) and
+  <folder>/<name>.json. Each is complete or not there at all. \param fingerprint Of all that the result depends on.
   \throw vpException naming the file that cannot be written.
 */
 void writeRun(const std::string &folder, const RunResult &run, const std::string &fingerprint);
 
-//! \return False where the run is not there, was cut off, or has another fingerprint.
+//! \return False where the run is not there, was cut off, or has another fingerprint or format.
 bool readRun(const std::string &folder, const RunKey &key, const std::string &fingerprint, double diameter,
              bool symmetric, RunResult &run);
 

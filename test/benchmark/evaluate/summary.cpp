@@ -143,6 +143,8 @@ RunSummary summarise(const RunKey &key, const Records &records, double diameter,
   summary.addAuc = symmetric ? summary.addsAuc : areaUnderCurve(records, &PoseError::add, diameter);
   summary.msMedian = quantile(values(records, everywhere, ms), 0.5);
   summary.ms95 = quantile(values(records, everywhere, ms), 0.95);
+  summary.minimisations =
+      mean(values(records, everywhere, [](const FrameRecord &record) { return record.answer.minimisations; }));
   summary.stages = stageMedians(records, stages);
   return summary;
 }

@@ -43,6 +43,7 @@ struct RunSummary
   double addAuc = 0.;                                 //!< Of all counted frames; ADD-S for objects with symmetries.
   double addsAuc = 0.;                                //!< ADD-S of all counted frames.
   double msMedian = 0., ms95 = 0.;                    //!< Of all tracked frames.
+  double minimisations = 0.;                          //!< Mean of TrackerAnswer::minimisations over all tracked frames.
   std::vector<std::pair<std::string, double>> stages; //!< Name and median, ms.
   std::vector<Loss> losses;                           //!< All of them; the first is firstLost and back.
 };

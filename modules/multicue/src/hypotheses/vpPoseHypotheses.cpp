@@ -22,6 +22,8 @@ const unsigned int nearestIterations = 3;
 const double maxMotion = 2.;
 // What an edge's place is uncertain by, its model and its noise together.
 const double edgeNoise = 1.; // Pixels.
+// Draws whose motions are compared in the image.
+const std::size_t maxScored = 12;
 // Share of the control points that contours with a potential edge must have to tell a pose alone.
 const double leastDrawn = 0.5;
 } // namespace
@@ -57,9 +59,11 @@ public:
     }
   };
 
+  void score(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo);
   void select(unsigned int limit);
   void choose(const vpClassDraw::Draw &draw, std::vector<int> &choices) const;
-  void minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo);
+  void minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo, double decisive);
+  vpHomogeneousMatrix start(const vpClassDraw::Draw &draw, const vpHomogeneousMatrix &cMo) const;
   void run(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo, Work &work) const;
   void merge(const vpEdgeCue &edges, const vpModelView &view);
   void rank();
@@ -71,8 +75,9 @@ public:
   vpPoseMatrix6 toCamera;                                // From a draw's motion to the camera's velocity.
   vpContourClasses classes;
   vpClassDraw draws;
-  std::vector<std::size_t> order;
-  std::vector<Work> works; // Memory; the first `minimised` are in use.
+  std::vector<std::size_t> order; // Of the draws, the best first.
+  std::vector<double> scores;     // Of each draw.
+  std::vector<Work> works;        // Memory; the first `minimised` are in use.
   std::size_t minimised = 0;
   std::vector<Kept> kept; // Of each of found, in the same order.
   std::vector<vpPoseHypothesis> found;
@@ -106,13 +111,30 @@ void vpPoseHypotheses::setEstimatedMotions(const vpMatrix &oJo)
   m_impl->freeMotions = vpMotionFrame::toEigen(oJo);
 }
 
-// The draws to minimise: the most coherent ones.
-void vpPoseHypotheses::Impl::select(unsigned int limit)
+// Where a draw leads to, to first order.
+vpHomogeneousMatrix vpPoseHypotheses::Impl::start(const vpClassDraw::Draw &draw, const vpHomogeneousMatrix &cMo) const
+{
+  return vpPoseExponential::exp(toCamera * draw.motion).inverse() * cMo;
+}
+
+// The most coherent draws, in the order of what their motion leaves unexplained of all control points: that tells more
+// than their coherence, which is that of the drawn classes and of the first order, and costs a tenth of a minimisation.
+void vpPoseHypotheses::Impl::score(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo)
 {
   order.resize(draws.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [this](std::size_t a, std::size_t b) { return draws[a].error < draws[b].error; });
+  scores.resize(order.size());
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), maxScored));
+  std::for_each(order.begin(), end,
+                [&](std::size_t i) { scores[i] = solver.error(edges, start(draws[i], cMo), cutoff); });
+  std::stable_sort(order.begin(), end, [this](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
+}
+
+// The draws to minimise.
+void vpPoseHypotheses::Impl::select(unsigned int limit)
+{
   minimised = std::min<std::size_t>(order.size(), limit);
   works.resize(std::max(works.size(), minimised));
   for (std::size_t i = 0; i < minimised; ++i) {
@@ -145,7 +167,7 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
 {
   choose(*work.draw, work.choices);
   // From where the draw itself leads: seen from the pose before, the edges that moved would be its outliers.
-  work.cMo = vpPoseExponential::exp(toCamera * work.draw->motion).inverse() * cMo;
+  work.cMo = start(*work.draw, cMo);
   work.found = work.solver.minimise(edges, &work.choices, seenMotions, diameter, work.cMo, chosenIterations) &&
                work.solver.minimise(edges, nullptr, seenMotions, diameter, work.cMo, nearestIterations);
   if (work.found) {
@@ -153,13 +175,20 @@ void vpPoseHypotheses::Impl::run(const vpEdgeCue &edges, double diameter, const 
   }
 }
 
-void vpPoseHypotheses::Impl::minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo)
+void vpPoseHypotheses::Impl::minimise(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo,
+                                      double decisive)
 {
-  if (minimised == 1) {
-    run(edges, diameter, cMo, works[0]);
+  if (minimised == 0) {
     return;
   }
-  cv::parallel_for_(cv::Range(0, static_cast<int>(minimised)), [&](const cv::Range &range) {
+  run(edges, diameter, cMo, works[0]);
+  if (std::isfinite(decisive) && !(works[0].found && works[0].error < decisive * decisive)) {
+    minimised = 1;
+  }
+  if (minimised == 1) {
+    return;
+  }
+  cv::parallel_for_(cv::Range(1, static_cast<int>(minimised)), [&](const cv::Range &range) {
     for (int i = range.start; i < range.end; ++i) {
       run(edges, diameter, cMo, works[static_cast<std::size_t>(i)]);
     }
@@ -223,7 +252,7 @@ void vpPoseHypotheses::Impl::record(const vpEdgeCue &edges)
 
 const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edges, const vpModelView &view,
                                                             const vpHomogeneousMatrix &cMo, std::uint64_t stream,
-                                                            unsigned int limit)
+                                                            unsigned int limit, double decisive)
 {
   Impl &impl = *m_impl;
   const double diameter = view.model().diameter();
@@ -233,8 +262,9 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
   const double prior = edges.settings().range * std::max(cMo[2][3], 1e-9) / edges.camera().get_px();
   impl.draws.compute(impl.classes, prior, impl.settings.mergeTolerance, impl.settings.draws, impl.settings.seed,
                      stream);
+  impl.score(edges, cMo);
   impl.select(limit > 0 ? limit : impl.settings.minimisations);
-  impl.minimise(edges, diameter, cMo);
+  impl.minimise(edges, diameter, cMo, decisive);
   impl.merge(edges, view);
   impl.record(edges);
   return impl.found;
@@ -250,6 +280,7 @@ void vpPoseHypotheses::refine(std::size_t index, const vpEdgeCue &edges, double 
     m_impl->found[index].cMo = cMo;
   }
   kept.setError(m_impl->solver.error(edges, kept.cMo, cutoff), m_impl->contours.size());
+  m_impl->found[index].residue = kept.residue;
 }
 
 void vpPoseHypotheses::rank()

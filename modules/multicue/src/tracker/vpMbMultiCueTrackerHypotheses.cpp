@@ -8,6 +8,8 @@
 #include <visp3/core/vpDisplay.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 BEGIN_VISP_NAMESPACE
 
@@ -20,7 +22,8 @@ const double leastWeight = 0.02;
 const std::size_t maxFinalists = 3;
 // A match serves poses that move its control points by less than this.
 const double nearMotion = 1.5; // Pixels.
-const unsigned int maxRounds = 3;
+// Matches for a pose that a longer reach led to.
+const unsigned int maxRefinements = 2;
 
 vpColor colorOf(std::size_t hypothesis)
 {
@@ -34,6 +37,7 @@ vpColor colorOf(std::size_t hypothesis)
 void vpMbMultiCueTracker::setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings)
 {
   m_impl->hypotheses.setSettings(settings);
+  m_impl->otherHypotheses.setSettings(settings);
   if (!settings.enabled) {
     m_impl->hypotheses.clear();
   }
@@ -59,61 +63,93 @@ void vpMbMultiCueTracker::setDisplayHypotheses(bool flag)
   m_impl->displayHypotheses = flag;
 }
 
-// From the pose before; and where that leaves the image unexplained, once more with a longer reach, for there the
-// object may have moved by more than the range. \return True where the last match serves m_cMo.
+// From the pose before; and where that leaves the image unexplained, with a longer reach, for there the object may have
+// moved by more than the range. \return True where the last match serves m_cMo.
 bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
+  const vpPoseHypothesisSettings &settings = impl.hypotheses.settings();
+  const bool mayReach = settings.reach > 1.;
   impl.hypotheses.setEstimatedMotions(oJo);
   const vpHomogeneousMatrix cMoStart = m_cMo;
-  const bool matched = searchPoses(frame, impl.hypotheses.settings().minimisations);
+  match(frame, m_cMo);
+  // Several poses that explain the image have to be compared. Where the likeliest one does not, the next ones of the
+  // same match seldom do, and what they cost is better spent on a longer reach.
+  const unsigned int limit = mayReach ? std::min((settings.minimisations + 1) / 2, impl.minimisationsLeft()) : 0;
+  const double decisive = mayReach ? impl.explainedResidue() : HUGE_VAL;
+  const bool matched = !findPoses(limit, decisive) || takeBestHypothesis(frame);
+  return !mayReach || impl.explains(impl.bestResidue()) ? matched : reachFarther(frame, cMoStart);
+}
+
+// The poses that the last match allows. \return False where there is none.
+bool vpMbMultiCueTracker::findPoses(unsigned int limit, double decisive)
+{
+  Impl &impl = *m_impl;
+  impl.hypotheses.find(impl.edges, *impl.view, m_cMo, impl.draws++, limit, decisive);
+  impl.minimisations += impl.hypotheses.minimisations();
+  return !impl.hypotheses.hypotheses().empty();
+}
+
+// The better one of m_cMo, which the search at the usual range led to, and of what a longer one finds.
+// \return As proposePose().
+bool vpMbMultiCueTracker::reachFarther(const vpCueFrame &frame, const vpHomogeneousMatrix &cMoStart)
+{
+  Impl &impl = *m_impl;
   const double residue = impl.bestResidue();
-  const double reach = impl.hypotheses.settings().reach;
-  if (impl.explains(residue) || reach <= 1.) {
-    return matched;
-  }
   const vpHomogeneousMatrix cMoNear = m_cMo;
+  std::swap(impl.hypotheses, impl.otherHypotheses);
+  impl.hypotheses.setEstimatedMotions(oJo);
+  m_cMo = cMoStart;
+  // Residues are compared at the usual range: with a longer one there is a candidate near to everything.
+  bool serves = false;
+  if (searchFarther(frame)) {
+    serves = refineHypothesis(frame, 0, maxRefinements);
+    m_cMo = impl.hypotheses.hypotheses().front().cMo;
+    if (impl.bestResidue() < residue) {
+      return serves;
+    }
+  }
+  std::swap(impl.hypotheses, impl.otherHypotheses);
+  m_cMo = cMoNear;
+  return false;
+}
+
+// One pose after the other, each from a match at the one before. \return False where the last match allows none.
+bool vpMbMultiCueTracker::searchFarther(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const double reach = impl.hypotheses.settings().reach;
   const vpEdgeCueSettings settings = impl.edges.settings();
   vpEdgeCueSettings farther = settings;
   farther.range = std::min(reach * settings.range, vpEdgeCueSettings::maxRange);
+  // A longer line meets more that is not the edge: only what is most like it.
+  farther.candidates = std::max(static_cast<unsigned int>(settings.candidates / reach), 1U);
   impl.edges.setSettings(farther);
-  m_cMo = cMoStart;
-  searchPoses(frame, impl.hypotheses.settings().minimisations);
-  impl.edges.setSettings(settings);
-  // Residues are compared at the usual range: with a longer one there is a candidate near to everything.
-  bool matchedFar = searchPoses(frame, 1);
-  if (impl.bestResidue() < residue) {
-    return matchedFar;
+  bool found = false;
+  bool moved = true;
+  for (unsigned int left = impl.minimisationsLeft(); moved && left > 0; --left) {
+    match(frame, m_cMo);
+    found = findPoses(1, HUGE_VAL);
+    const vpHomogeneousMatrix cMoBefore = m_cMo;
+    m_cMo = found ? impl.hypotheses.hypotheses().front().cMo : m_cMo;
+    moved = vpControlPointMotion::between(*impl.view, cMoBefore, m_cMo, frame.camera()) >= nearMotion;
   }
-  m_cMo = cMoNear;
-  return searchPoses(frame, 1);
+  impl.edges.setSettings(settings);
+  return found;
 }
 
-// The poses that a match allows, and again from the best one while that has moved and the image is not explained yet.
-// \return As proposePose().
-bool vpMbMultiCueTracker::searchPoses(const vpCueFrame &frame, unsigned int most)
+// Matches a hypothesis at its own pose and minimises it there, again while it moves. \return As proposePose().
+bool vpMbMultiCueTracker::refineHypothesis(const vpCueFrame &frame, std::size_t index, unsigned int most)
 {
   Impl &impl = *m_impl;
-  bool matched = false;
-  unsigned int left = most;
-  for (unsigned int round = 0; round < maxRounds && left > 0; ++round) {
-    if (!matched) {
-      match(frame, m_cMo);
-    }
-    const vpHomogeneousMatrix cMoBefore = m_cMo;
-    impl.hypotheses.find(impl.edges, *impl.view, m_cMo, impl.draws++, std::min((most + 1) / 2, left));
-    if (impl.hypotheses.hypotheses().empty()) {
-      return true;
-    }
-    impl.minimisations += impl.hypotheses.minimisations();
-    left -= impl.hypotheses.minimisations();
-    matched = takeBestHypothesis(frame);
-    const bool moved = vpControlPointMotion::between(*impl.view, cMoBefore, m_cMo, frame.camera()) >= nearMotion;
-    if (!moved || impl.explains(impl.bestResidue())) {
-      break;
-    }
+  const vpHomogeneousMatrix &cMo = impl.hypotheses.hypotheses()[index].cMo;
+  bool serves = false;
+  for (unsigned int i = 0; i < most && !serves; ++i) {
+    match(frame, cMo);
+    impl.hypotheses.refine(index, impl.edges, impl.model->diameter());
+    serves = vpControlPointMotion::mean(*impl.view, cMo, frame.camera()) < nearMotion;
   }
-  return matched;
+  return serves;
 }
 
 // Poses that are about as likely are compared at a match of their own. \return As proposePose().
@@ -129,14 +165,14 @@ bool vpMbMultiCueTracker::takeBestHypothesis(const vpCueFrame &frame)
     m_cMo = found.front().cMo;
     return vpControlPointMotion::mean(*impl.view, m_cMo, frame.camera()) < nearMotion;
   }
+  bool serves = false;
   for (std::size_t i = finalists; i > 0; --i) { // The likeliest last: its match can stay.
-    match(frame, found[i - 1].cMo);
-    impl.hypotheses.refine(i - 1, impl.edges, impl.model->diameter());
+    serves = refineHypothesis(frame, i - 1, 1);
   }
   const vpHomogeneousMatrix last = found.front().cMo;
   impl.hypotheses.rank();
   m_cMo = found.front().cMo;
-  return std::equal(last.data, last.data + 16, m_cMo.data);
+  return serves && std::equal(last.data, last.data + 16, m_cMo.data);
 }
 
 template <typename Pixel>

@@ -113,9 +113,9 @@ unsigned int vpMbMultiCueTracker::Impl::countGood() const
   return static_cast<unsigned int>(count);
 }
 
-bool vpMbMultiCueTracker::Impl::explains(double residue) const
+double vpMbMultiCueTracker::Impl::explainedResidue() const
 {
-  return residue < std::max(explained, usualFactor * usualResidue);
+  return std::max(explained, usualFactor * usualResidue);
 }
 
 void vpMbMultiCueTracker::Impl::learnResidue()
@@ -138,6 +138,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   kalman.reset();
   fusion.clear();
   hypotheses.clear();
+  otherHypotheses.clear();
   draws = 0;
   usualResidue = 0.;
   minimisations = 0;

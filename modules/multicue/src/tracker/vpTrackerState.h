@@ -42,7 +42,15 @@ public:
     return hypotheses.hypotheses().empty() ? HUGE_VAL : hypotheses.hypotheses().front().residue;
   }
   //! True where a pose leaves no more unexplained than the trusted ones before it.
-  bool explains(double residue) const;
+  bool explains(double residue) const { return residue < explainedResidue(); }
+  //! Pixels.
+  double explainedResidue() const;
+  //! Of those of a frame; each search has at least one.
+  unsigned int minimisationsLeft() const
+  {
+    const unsigned int most = hypotheses.settings().minimisations;
+    return most > minimisations ? most - minimisations : 1U;
+  }
   //! Takes the best hypothesis of a trusted frame for what is usual.
   void learnResidue();
   bool uses(int cue) const { return (type & cue) != 0; }
@@ -79,10 +87,11 @@ public:
   bool usesPoints = true;             // False where they contradict the other cues in this frame.
   unsigned long long viewedFrame = 0; // That the view is of.
   vpPoseHypotheses hypotheses;
-  double usualResidue = 0.;       // Of the best hypothesis in trusted frames, pixels; 0: none yet.
-  std::uint64_t draws = 0;        // Since the start: each has a stream of random numbers.
-  unsigned int minimisations = 0; // In the last frame.
-  unsigned int width = 0;         // Of the images since init(); 0 before it.
+  vpPoseHypotheses otherHypotheses; // Those of the near search while a farther one goes on.
+  double usualResidue = 0.;         // Of the best hypothesis in trusted frames, pixels; 0: none yet.
+  std::uint64_t draws = 0;          // Since the start: each has a stream of random numbers.
+  unsigned int minimisations = 0;   // In the last frame.
+  unsigned int width = 0;           // Of the images since init(); 0 before it.
   unsigned int height = 0;
 
   // Pose estimation; members so that their memory is used again.

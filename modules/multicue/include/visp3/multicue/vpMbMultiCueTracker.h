@@ -250,7 +250,10 @@ private:
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   bool proposePose(const vpCueFrame &frame);
-  bool searchPoses(const vpCueFrame &frame, unsigned int most);
+  bool findPoses(unsigned int limit, double decisive);
+  bool reachFarther(const vpCueFrame &frame, const vpHomogeneousMatrix &cMoStart);
+  bool searchFarther(const vpCueFrame &frame);
+  bool refineHypothesis(const vpCueFrame &frame, std::size_t index, unsigned int most);
   bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
   const vpModelViewOptions &viewOptions() const;

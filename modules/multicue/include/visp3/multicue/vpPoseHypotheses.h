@@ -5,6 +5,7 @@
 #include <visp3/cues/vpEdgeCue.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -18,10 +19,11 @@ struct VISP_EXPORT vpPoseHypothesisSettings
   //! one, [0, 100].
   double lambda = 1.;
   unsigned int draws = 25;        //!< Largest number of draws for a match, [1, 10000].
-  unsigned int minimisations = 5; //!< Largest number of draws that are minimised in a frame, [1, 1000].
+  unsigned int minimisations = 5; //!< Draws that are minimised in a frame, [1, 1000]; each search has at least one.
   //! Poses whose control points are closer to one another than this in the mean are one pose, pixels, (0, 100].
   double mergeTolerance = 1.;
-  //! Where no pose explains the image, candidates are looked for up to this many search ranges away, [1, 10]; 1: never.
+  //! Where no pose explains the image, candidates are looked for up to this many search ranges away, and for as many
+  //! times fewer ones of each control point, [1, 10]; 1: never.
   double reach = 2.;
   unsigned int seed = 1; //!< The same seed gives the same poses.
 
@@ -52,7 +54,8 @@ struct vpPoseHypothesis
   [T10] draws each contour by itself; with n contours of two alike potential edges a draw is then right once in 2^n.
   Here the contours of a draw are taken one after the other, in random order, and the weights of [T10] eq. 4 are
   multiplied by how well each potential edge agrees with the motion that the ones before it tell, to first order. Equal
-  draws and those that lead to the same motion are minimised once, the most coherent first.
+  draws and those that lead to the same motion are minimised once: of the most coherent ones those first whose
+  motion brings the control points nearest to candidates.
 
   Needs no tracker: any pose can be started from. An object serves one thread at a time; several may share one
   vpEdgeCue, which is only read.
@@ -97,11 +100,13 @@ public:
     \param cMo Pose to start from.
     \param stream What the draws are for, such as the number of the frame: another number, other draws.
     \param limit Largest number of minimisations; 0: that of the settings.
+    \param decisive Only where the first pose leaves a residue below this are others looked for, pixels.
     \return The poses, best first; good until the next call.
   */
   const std::vector<vpPoseHypothesis> &find(const vpEdgeCue &edges, const vpModelView &view,
                                             const vpHomogeneousMatrix &cMo, std::uint64_t stream,
-                                            unsigned int limit = 0);
+                                            unsigned int limit = 0,
+                                            double decisive = std::numeric_limits<double>::infinity());
 
   /*!
     Minimises one of the poses once more, with the nearest candidates of a match at this very pose, and takes its

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//! \example tutorial-multicue-hypotheses.cpp
+// Draws what one image offers a pose: candidates, potential edges, and the poses that they allow.
+#include "filePattern.h"
+#include "frameReader.h"
+#include "initFiles.h"
+#include "trackerOptions.h"
+
+#include <visp3/core/vpImageConvert.h>
+#include <visp3/cues/vpFrameSource.h>
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <iostream>
+
+namespace {
+cv::Point2d toPoint(const Eigen::Vector2d &pixel)
+{
+  return {pixel.x(), pixel.y()};
+}
+
+// A fraction of a pixel is drawn as well.
+void drawLine(cv::Mat &picture, const cv::Point2d &a, const cv::Point2d &b, const cv::Scalar &color, int thickness)
+{
+  const int bits = 4;
+  cv::line(picture, cv::Point(a * (1 << bits)), cv::Point(b * (1 << bits)), color, thickness, cv::LINE_AA, bits);
+}
+
+// What is around the object.
+cv::Rect surroundings(const vpModelView &view, const cv::Size &size)
+{
+  const int margin = 25;
+  std::vector<cv::Point2f> points;
+  for (const vpControlPoint &point : view.points()) {
+    points.emplace_back(toPoint(point.pixel));
+  }
+  const cv::Rect box = cv::boundingRect(points);
+  return cv::Rect(box.tl() - cv::Point(margin, margin), box.br() + cv::Point(margin, margin)) &
+         cv::Rect(cv::Point(0, 0), size);
+}
+
+void write(const std::string &pattern, int number, const cv::Mat &picture)
+{
+  const std::string file = FilePattern(pattern).name(number);
+  if (!cv::imwrite(file, picture)) {
+    throw vpException(vpException::ioError, "--save " + file + " cannot be written: is there such a folder?");
+  }
+}
+
+//! [Candidates]
+// Normals along which was searched, and everything that was found on them.
+void drawCandidates(cv::Mat &picture, const vpEdgeCue &edges)
+{
+  const double range = edges.settings().range;
+  const std::size_t every = 3; // All normals would hide the image.
+  for (std::size_t k = 0; k < edges.matches().size(); k += every) {
+    const vpEdgeCue::Match &match = edges.matches()[k];
+    const vpControlPoint &point = match.point;
+    drawLine(picture, toPoint(point.pixel - range * point.normal), toPoint(point.pixel + range * point.normal),
+             cv::Scalar(230, 180, 60), 1);
+    for (int i = match.first; i < match.first + match.count; ++i) {
+      const double offset = edges.candidates()[static_cast<std::size_t>(i)].offset;
+      cv::circle(picture, toPoint(point.pixel + offset * point.normal), 1, cv::Scalar(40, 40, 230), cv::FILLED);
+    }
+  }
+}
+//! [Candidates]
+
+//! [Lines]
+// The likely ones in dark gray, the unlikely ones in light gray.
+void drawPotentialEdges(cv::Mat &picture, const vpPoseHypotheses &hypotheses)
+{
+  for (const vpPoseHypotheses::Line &line : hypotheses.lines()) {
+    const double gray = 210. * (1. - line.weight);
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      drawLine(picture, toPoint(line.points[i - 1]), toPoint(line.points[i]), cv::Scalar::all(gray), 2);
+    }
+  }
+}
+//! [Lines]
+
+//! [Poses]
+// The best one in green and on top, the next one in red.
+void drawPoses(cv::Mat &picture, vpMbMultiCueTracker &tracker, const std::vector<vpPoseHypothesis> &found)
+{
+  const cv::Scalar colors[] = {{60, 220, 60}, {60, 60, 255}};
+  vpCameraParameters cam;
+  tracker.getCameraParameters(cam);
+  for (std::size_t h = std::min<std::size_t>(found.size(), 2); h-- > 0;) {
+    for (const std::vector<double> &line : tracker.getModelForDisplay(
+             static_cast<unsigned int>(picture.cols), static_cast<unsigned int>(picture.rows), found[h].cMo, cam)) {
+      drawLine(picture, {line[2], line[1]}, {line[4], line[3]}, colors[h], 2);
+    }
+  }
+}
+//! [Poses]
+
+void print(const std::vector<vpPoseHypothesis> &found)
+{
+  for (const vpPoseHypothesis &pose : found) {
+    std::cout << "residue " << pose.residue << " px, weight " << pose.weight << ", translation "
+              << pose.cMo.getTranslationVector().t() << std::endl;
+  }
+}
+
+void run(const TrackerOptions &options)
+{
+  if (options.initPose.empty() || options.save.empty()) {
+    throw vpException(vpException::badValue, "Give --init-pose and --save with a pattern such as seen%d.png");
+  }
+  vpImage<vpRGBa> I;
+  if (!openFrames(options)->next(I)) {
+    throw vpException(vpException::ioError, "There is no frame: is --first beyond the end?");
+  }
+  vpMbMultiCueTracker tracker;
+  tracker.loadConfigFile(options.config, false);
+  tracker.setModelUnit(options.metresPerUnit);
+  tracker.loadModel(options.model);
+
+  //! [Find]
+  const vpHomogeneousMatrix cMo = readPose(options.initPose);
+  vpCameraParameters cam;
+  tracker.getCameraParameters(cam);
+  const std::unique_ptr<vpModelRenderer> renderer = vpModelRenderer::create(tracker.getModel());
+  vpModelView view(tracker.getModel());
+  view.compute(cMo, cam, I.getWidth(), I.getHeight(), vpModelViewOptions(), renderer.get());
+  vpFrameSource source;
+  vpEdgeCue edges(tracker.getEdgeSettings());
+  edges.match(source.frame(I, cam, nullptr), view);
+  vpPoseHypotheses hypotheses(tracker.getPoseHypothesisSettings());
+  const std::vector<vpPoseHypothesis> &found = hypotheses.find(edges, view, cMo, 0);
+  //! [Find]
+
+  cv::Mat image;
+  vpImageConvert::convert(I, image);
+  // Lines in gray are seen on a pale image.
+  const cv::Mat pale = 0.4 * image + cv::Scalar::all(150.);
+  cv::Mat candidates = image.clone();
+  cv::Mat lines = pale.clone();
+  drawCandidates(candidates, edges);
+  drawPotentialEdges(lines, hypotheses);
+  drawPoses(image, tracker, found);
+  const cv::Rect part = surroundings(view, image.size());
+  write(options.save, 1, candidates(part));
+  write(options.save, 2, lines(part));
+  write(options.save, 3, image(part));
+  print(found);
+}
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  try {
+    const TrackerOptions options = readOptions(argc, argv);
+    if (options.help) {
+      std::cout << helpText();
+    } else {
+      run(options);
+    }
+  } catch (const std::exception &e) {
+    std::cerr << "tutorial-multicue-hypotheses: " << e.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}
