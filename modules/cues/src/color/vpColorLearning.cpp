@@ -71,14 +71,15 @@ void vpColorCue::learnHistograms(double rate)
   m_histograms.learn(rate);
 }
 
-// Of outliers too: there it is most needed.
-void vpColorCue::learnEvidence(const vpHomogeneousMatrix &cMo)
+double vpColorCue::evidenceAt(const vpHomogeneousMatrix &cMo)
 {
-  if (m_settings.scales.empty()) {
-    return;
+  m_evidence.assign(m_lines.size(), 0.);
+  if (m_settings.scales.empty() || m_lines.empty()) {
+    return 0.;
   }
   const vpContourPosterior posterior(*this, m_settings.scales.back());
   vpContourShift contour(cMo, m_camera);
+  double sum = 0.;
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     if (!contour.project(m_lines[i]) || !(std::fabs(contour.pixels()) < m_reach)) {
       continue;
@@ -88,8 +89,11 @@ void vpColorCue::learnEvidence(const vpHomogeneousMatrix &cMo)
     moved.first = std::min(moved.first - shift, 0);
     moved.last = std::max(moved.last - shift, 0);
     posterior.evaluate(strip(i) + shift, moved);
-    m_memory.addEvidence(moved.position, moved.evidence);
+    m_evidence[i] = moved.evidence;
+    doubtLine(moved);
+    sum += moved.evidence;
   }
+  return sum / static_cast<double>(m_lines.size());
 }
 
 void vpColorCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)
@@ -105,9 +109,13 @@ void vpColorCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vect
         weights.size(), rows);
   }
   findLessons(cMo, weights);
+  evidenceAt(cMo);
   learnHistograms(m_settings.learningRate);
   m_memory.beginFrame();
-  learnEvidence(cMo);
+  // Of outliers too: there it is most needed.
+  for (std::size_t i = 0; i < m_lines.size(); ++i) {
+    m_memory.addEvidence(m_lines[i].position, m_evidence[i]);
+  }
   const int length = static_cast<int>(m_settings.length);
   for (const Lesson &lesson : m_lessons) {
     const Line &line = m_lines[lesson.line];

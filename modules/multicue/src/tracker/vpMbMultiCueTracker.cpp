@@ -186,6 +186,10 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     m_impl->edges.reset();
     judge(estimate(frame));
   }
+  if (getenv("DBG")) {
+    printf("DBG %f %f %f %d\n", m_impl->agreement.edges, m_impl->agreement.color, m_impl->bestExplained, 0);
+    fflush(stdout);
+  }
   if (m_impl->state == vpTrackingState::LOST) {
     m_cMo = cMoBefore;
     m_impl->edges.reset();
@@ -193,6 +197,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     m_impl->trusted = m_cMo;
     updateReferences();
     m_impl->learnResidue();
+    learnUsual();
     learnSurprise();
     updateMotion();
   }

@@ -31,7 +31,7 @@ const unsigned int evidenceLevel = 1;
 // A view serves poses that move its control points by less than this, pixels; coarse levels: times their scale.
 const double nearMotion = 0.5;
 // How far a point may be from where a pose that it had no part in has it, pixels.
-const double agreement = 2.;
+const double nearPoint = 2.;
 // How far from where it is expected the object may well be: in diameters, and radians.
 const double leastMotion = 0.04;
 const double mostMotion = 0.15;
@@ -178,11 +178,10 @@ void vpMbMultiCueTracker::learnSurprise()
   impl.surprise[1] += motionRate * (angle * angle - impl.surprise[1]);
 }
 
-bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
+// The fine levels, where edges and points take part. \return False where there is no pose.
+bool vpMbMultiCueTracker::refineFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  const vpHomogeneousMatrix cMoStart = m_cMo;
-  estimateCoarse(frame);
   for (unsigned int i = 0; i < maxMatches; ++i) {
     updateView(frame, m_cMo, nearMotion);
     {
@@ -196,12 +195,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
         impl.color.match(frame, *impl.view);
       }
     }
-    if (!minimise({EDGE_TRACKER, COLOR_TRACKER, KLT_TRACKER})) {
-      return false;
-    }
-    const vpHomogeneousMatrix moved = cMoStart * m_cMo.inverse();
-    const double distance = (cMoStart.getTranslationVector() - m_cMo.getTranslationVector()).frobeniusNorm();
-    if (!std::isfinite(moved[0][0]) || !(distance < maxMotion * impl.model->diameter())) {
+    if (!minimise({EDGE_TRACKER, COLOR_TRACKER, KLT_TRACKER}) || !isBelievable()) {
       return false;
     }
     const bool finest = !impl.uses(COLOR_TRACKER) || i + 1 >= impl.color.settings().bands.size();
@@ -210,6 +204,14 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
     }
   }
   return true;
+}
+
+// A pose that is far from the expected one has diverged.
+bool vpMbMultiCueTracker::isBelievable() const
+{
+  const vpHomogeneousMatrix &expected = m_impl->expectedPose;
+  const double distance = (expected.getTranslationVector() - m_cMo.getTranslationVector()).frobeniusNorm();
+  return std::isfinite(m_cMo[0][0]) && distance < maxMotion * m_impl->model->diameter();
 }
 
 // Only from poses that are trusted: what is learnt from a wrong one keeps it wrong.
@@ -238,7 +240,7 @@ void vpMbMultiCueTracker::updateRefusedPoints()
   vpResidualBlock block;
   impl.points->residuals(m_cMo, block);
   std::vector<double> weights;
-  const double largest = agreement / impl.frameCamera.get_px();
+  const double largest = nearPoint / impl.frameCamera.get_px();
   for (const vpResidual &row : block.rows) {
     weights.push_back(std::fabs(row.error) < largest ? 1. : 0.);
   }

@@ -131,6 +131,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   edges = vpEdgeCue(edges.settings());
   color.reset();
   usesPoints = true;
+  usual = Agreement();
   surprise.fill(firstSurprise);
   if (points) {
     points->reset();

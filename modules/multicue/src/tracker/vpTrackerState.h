@@ -14,6 +14,14 @@
 
 BEGIN_VISP_NAMESPACE
 
+//! How well each cue agrees with a pose; about 1 for colours, and below 1 for the others, where all is well.
+struct vpMbMultiCueTracker::Agreement
+{
+  double edges = 0.;
+  double color = 0.;
+  double points = 0.;
+};
+
 //! Everything behind vpMbMultiCueTracker that vpMbTracker does not hold.
 class vpMbMultiCueTracker::Impl
 {
@@ -97,6 +105,12 @@ public:
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
   vpPosePrior prior;
+  vpResidualBlock block; // Scratch memory.
+  Agreement agreement;   // At the pose that was judged last.
+  Agreement usual;       // Mean over the trusted frames.
+  double bestExplained = 0.;
+  vpHomogeneousMatrix bestPose; // Of the attempts in this frame.
+  bool bestIsLast = false;
   vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.
   std::array<double, 2> surprise = {0., 0.}; // Mean squared distance from it, in diameters and radians.
   vpColVector weightedError;

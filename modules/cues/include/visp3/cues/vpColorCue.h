@@ -79,6 +79,11 @@ public:
     within reach: 0 where the colours tell nothing, about 1 to 1.5 where all is well, negative at a wrong pose.
   */
   double evidence() const;
+  /*!
+    Likewise for another pose near the view's, at the finest of the coarse levels; after a match on a fine level.
+    \return 0 where there are no coarse levels.
+  */
+  double evidenceAt(const vpHomogeneousMatrix &cMo);
   const vpColorHistograms &histograms() const { return m_histograms; }
 
 private:
@@ -132,7 +137,6 @@ private:
   double weightOf(const Line &line, const double *weights) const;
   void findLessons(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights);
   void learnHistograms(double rate);
-  void learnEvidence(const vpHomogeneousMatrix &cMo);
   void doubtLine(Line &line) const;
 
   vpColorCueSettings m_settings;
@@ -147,6 +151,7 @@ private:
   std::vector<WhitenedColors> m_whitened; // Of the samples, where each gives rows.
   std::vector<BarBlock> m_bars;           // Scratch of match().
   std::vector<Lesson> m_lessons;          // Scratch of updateReference().
+  std::vector<double> m_evidence;         // Of each line at the pose of the last evidenceAt().
   vpColorHistograms m_histograms;
   vpColorMemory m_memory;
 };

@@ -214,6 +214,7 @@ protected:
 
 private:
   class Impl;
+  struct Agreement;
 
   vpTrackedModelBuilder collect(const vpTrackedModelBuilder &before, const std::string &modelFile,
                                 const vpHomogeneousMatrix &odTo) const;
@@ -233,6 +234,15 @@ private:
   double imageMotion(const vpColVector &velocity) const;
   unsigned int getNbFeatures(int type) const;
   void predict();
+  double edgeAgreement() const;
+  double pointAgreement() const;
+  double explainedShare();
+  void learnUsual();
+  bool takeAttempt(bool estimated);
+  void tryOthers(const vpCueFrame &frame);
+  void tryTurns(const vpCueFrame &frame);
+  bool refineFused(const vpCueFrame &frame);
+  bool isBelievable() const;
   void setPrior();
   void learnSurprise();
   void learnStart(const vpCueFrame &frame);
