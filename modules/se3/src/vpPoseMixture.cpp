@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/se3/vpPoseMixture.h>
+
+#include <visp3/core/vpException.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const double infinity = std::numeric_limits<double>::infinity();
+
+// 1 / det V^2 of exp() is at most exp(curvature theta^2) up to half a turn: its logarithm is a series in theta^2 with
+// positive coefficients, and so below its chord.
+const double curvature = 4. * std::log(M_PI / 2.) / (M_PI * M_PI);
+
+double largestEigenvalue(const Eigen::Matrix3d &m)
+{
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+} // namespace
+
+// A sum of weight * exp(-exponent) that neither over- nor underflows, and what may be left out of it.
+class vpPoseMixture::Sum
+{
+public:
+  // allowance: the logarithm of all weights' sum over the relative error.
+  explicit Sum(double allowance) : m_allowance(allowance) {}
+
+  void add(double exponent, double weight)
+  {
+    if (exponent < m_least) {
+      m_sum = m_sum * std::exp(exponent - m_least) + weight;
+      m_least = exponent;
+      setLimit();
+      return;
+    }
+    m_sum += weight * std::exp(m_least - exponent);
+    if (m_sum > 1.5 * m_sumOfLimit) {
+      setLimit();
+    }
+  }
+
+  // Kernels whose exponents are above this come to less than the relative error of what is summed, all together.
+  double limit() const { return m_limit; }
+  double logarithm() const { return std::log(m_sum) - m_least; }
+
+private:
+  void setLimit()
+  {
+    m_sumOfLimit = m_sum;
+    m_limit = m_allowance - logarithm();
+  }
+
+  double m_allowance;
+  double m_least = infinity;
+  double m_sum = 0.; // In units of exp(-m_least).
+  double m_sumOfLimit = 0.;
+  double m_limit = infinity;
+};
+
+vpPoseMixture::vpPoseMixture(const vpPoseNoise &kernel, double relativeError)
+    : m_noise(kernel), m_relativeError(relativeError)
+{
+  if (!(relativeError > 0. && relativeError < 1.)) {
+    throw vpException(vpException::badValue, "The relative error of a pose mixture is %g: give one between 0 and 1",
+                      relativeError);
+  }
+  setBounds();
+}
+
+void vpPoseMixture::clear(const vpPoseNoise &kernel)
+{
+  m_noise = kernel;
+  setBounds();
+  m_kernels.clear();
+  m_totalWeight = 0.;
+  m_isPrepared = true;
+}
+
+// For alpha = [v, omega] with noise on the right: v = V^-1 t, and V makes nothing longer, so |v| is at least the
+// distance of the two translations. The largest variance of each half, and how much the two halves share, bound
+// alpha^T Sigma^-1 alpha from below by a distance and an angle.
+void vpPoseMixture::setBounds()
+{
+  m_whitening = m_noise.root().triangularView<Eigen::Lower>().solve(vpPoseMatrix6::Identity());
+  const vpPoseMatrix6 &covariance = m_noise.covariance();
+  const double translation = largestEigenvalue(covariance.topLeftCorner<3, 3>());
+  const double rotation = largestEigenvalue(covariance.bottomRightCorner<3, 3>());
+  vpPoseTangent scale;
+  scale << Eigen::Vector3d::Constant(1. / std::sqrt(translation)), Eigen::Vector3d::Constant(1. / std::sqrt(rotation));
+  const vpPoseMatrix6 scaled = scale.asDiagonal() * covariance * scale.asDiagonal();
+  const double shared =
+      Eigen::SelfAdjointEigenSolver<vpPoseMatrix6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[5] * (1. + 1e-12);
+  m_translationBound = 0.5 / (shared * translation);
+  const double rotationBound = 0.5 / (shared * rotation) - curvature;
+  m_rotationBound = std::max(rotationBound, 0.);
+  m_constantBound = std::min(rotationBound, 0.) * M_PI * M_PI;
+}
+
+// exp(alpha) cMo is the inverse of cMo^-1 exp(-alpha), and the density is even.
+vpPoseMixture::Place vpPoseMixture::placeOf(const Eigen::Isometry3d &cMo) const
+{
+  Place place;
+  place.rotation = Eigen::Quaterniond(cMo.linear()).normalized();
+  place.translation = cMo.translation();
+  if (m_noise.frame() == vpPoseNoise::Frame::CAMERA) {
+    place.rotation = place.rotation.conjugate();
+    place.translation = -(place.rotation * place.translation);
+  }
+  return place;
+}
+
+void vpPoseMixture::add(const vpHomogeneousMatrix &mean, double weight)
+{
+  add(vpPoseExponential::toEigen(mean), weight);
+}
+
+void vpPoseMixture::add(const Eigen::Isometry3d &mean, double weight)
+{
+  if (!(weight >= 0.) || !std::isfinite(weight)) {
+    throw vpException(vpException::badValue, "A kernel of a pose mixture has the weight %g: give a finite one >= 0",
+                      weight);
+  }
+  if (!mean.matrix().allFinite()) {
+    throw vpException(vpException::badValue, "The mean of a kernel of a pose mixture is not finite");
+  }
+  if (!(weight > 0.)) {
+    return;
+  }
+  m_totalWeight += weight;
+  const Place place = placeOf(mean);
+  if (!m_isPrepared && place.translation == m_kernels.back().mean.translation &&
+      place.rotation.coeffs() == m_kernels.back().mean.rotation.coeffs()) {
+    m_kernels.back().weight += weight;
+    return;
+  }
+  m_kernels.push_back({place, weight});
+  m_isPrepared = false;
+}
+
+void vpPoseMixture::prepare()
+{
+  Eigen::Array3d sum = Eigen::Array3d::Zero();
+  Eigen::Array3d squares = Eigen::Array3d::Zero();
+  for (const Kernel &kernel : m_kernels) {
+    const Eigen::Array3d offset = kernel.mean.translation - m_kernels.front().mean.translation;
+    sum += offset;
+    squares += offset.square();
+  }
+  const double count = static_cast<double>(std::max<std::size_t>(m_kernels.size(), 1));
+  (squares / count - (sum / count).square()).maxCoeff(&m_axis);
+  const auto isBefore = [this](const Kernel &a, const Kernel &b) {
+    return a.mean.translation[m_axis] < b.mean.translation[m_axis];
+  };
+  std::sort(m_kernels.begin(), m_kernels.end(), isBefore);
+  m_isPrepared = true;
+}
+
+void vpPoseMixture::visit(const Place &place, const Kernel &kernel, Sum &sum, Effort &effort) const
+{
+  effort.visited++;
+  const Eigen::Vector3d apart = place.translation - kernel.mean.translation;
+  // 8 (1 - cos(theta / 2)) is at most theta^2.
+  const double squaredAngle = 8. * (1. - std::min(std::fabs(place.rotation.dot(kernel.mean.rotation)), 1.));
+  const double bound = m_translationBound * apart.squaredNorm() + m_rotationBound * squaredAngle + m_constantBound;
+  if (bound >= sum.limit()) {
+    return;
+  }
+  effort.evaluated++;
+  const Eigen::Quaterniond back = kernel.mean.rotation.conjugate();
+  const Eigen::Quaterniond turned = back * place.rotation;
+  const vpPoseTangent alpha = vpPoseExponential::log(turned, back * apart);
+  const vpPoseTangent white = m_whitening.triangularView<Eigen::Lower>() * alpha;
+  // 1 / det V^2, as vpPoseExponential::logVolume() has it: (theta / 2)^4 / sin^4(theta / 2).
+  const double squaredSine = turned.vec().squaredNorm();
+  const double ratio = squaredSine > 1e-15 ? alpha.tail<3>().squaredNorm() / (4. * squaredSine) : 1.;
+  sum.add(0.5 * white.squaredNorm(), kernel.weight * ratio * ratio);
+}
+
+double vpPoseMixture::logDensity(const vpHomogeneousMatrix &cMo, Effort *effort) const
+{
+  if (!m_isPrepared) {
+    throw vpException(vpException::notInitialized, "vpPoseMixture::logDensity() needs prepare() after the last add()");
+  }
+  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
+  if (m_kernels.empty() || !pose.matrix().allFinite()) {
+    return -infinity;
+  }
+  const Place place = placeOf(pose);
+  const double position = place.translation[m_axis];
+  const auto isBelow = [this](const Kernel &kernel, double value) { return kernel.mean.translation[m_axis] < value; };
+  auto above = std::lower_bound(m_kernels.begin(), m_kernels.end(), position, isBelow);
+  auto below = above; // One past the next one below.
+  Sum sum(std::log(m_totalWeight / m_relativeError));
+  Effort work;
+  while (true) {
+    const double up = above != m_kernels.end() ? above->mean.translation[m_axis] - position : infinity;
+    const double down = below != m_kernels.begin() ? position - (below - 1)->mean.translation[m_axis] : infinity;
+    const double gap = std::min(up, down);
+    // All kernels that were not visited yet are at least so far away.
+    if (gap == infinity || m_translationBound * gap * gap + m_constantBound >= sum.limit()) {
+      break;
+    }
+    visit(place, up <= down ? *above++ : *--below, sum, work);
+  }
+  if (effort != nullptr) {
+    effort->visited += work.visited;
+    effort->evaluated += work.evaluated;
+  }
+  return m_noise.logPeak() + sum.logarithm() - std::log(m_totalWeight);
+}
+
+END_VISP_NAMESPACE
