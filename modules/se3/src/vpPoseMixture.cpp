@@ -18,6 +18,27 @@ const double infinity = std::numeric_limits<double>::infinity();
 // positive coefficients, and so below its chord.
 const double curvature = 4. * std::log(M_PI / 2.) / (M_PI * M_PI);
 
+// How exp() stretches: (theta / 2)^2 / sin^2(theta / 2), and what it is above 1, over sin^2(theta / 2).
+struct Stretch
+{
+  double ratio;
+  double slope;
+};
+
+Stretch stretchOf(double squaredSine, double cosine)
+{
+  if (squaredSine < 0.01) { // The series of asin^2, whose terms left out are below 1e-15.
+    const double u = squaredSine;
+    const double slope =
+        1. / 3. + u * (8. / 45. + u * (4. / 35. + u * (128. / 1575. +
+                                                       u * (128. / 2079. + u * (1024. / 21021. + u * 256. / 6435.)))));
+    return {1. + u * slope, slope};
+  }
+  const double half = std::atan2(std::sqrt(squaredSine), cosine);
+  const double ratio = half * half / squaredSine;
+  return {ratio, (ratio - 1.) / squaredSine};
+}
+
 double largestEigenvalue(const Eigen::Matrix3d &m)
 {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m, Eigen::EigenvaluesOnly).eigenvalues()[2];
@@ -87,16 +108,19 @@ void vpPoseMixture::clear(const vpPoseNoise &kernel)
 // alpha^T Sigma^-1 alpha from below by a distance and an angle.
 void vpPoseMixture::setBounds()
 {
-  m_whitening = m_noise.root().triangularView<Eigen::Lower>().solve(vpPoseMatrix6::Identity());
   const vpPoseMatrix6 &covariance = m_noise.covariance();
+  const vpPoseTangent variances = covariance.diagonal();
+  m_isIsotropic = covariance.isDiagonal(0.) && (variances.head<3>().array() == variances[0]).all() &&
+                  (variances.tail<3>().array() == variances[3]).all();
+  m_rotationFactor = 0.5 / variances[3];
+  m_whitening = m_noise.root().triangularView<Eigen::Lower>().solve(vpPoseMatrix6::Identity());
   const double translation = largestEigenvalue(covariance.topLeftCorner<3, 3>());
   const double rotation = largestEigenvalue(covariance.bottomRightCorner<3, 3>());
   vpPoseTangent scale;
   scale << Eigen::Vector3d::Constant(1. / std::sqrt(translation)), Eigen::Vector3d::Constant(1. / std::sqrt(rotation));
   const vpPoseMatrix6 scaled = scale.asDiagonal() * covariance * scale.asDiagonal();
-  const double shared =
-      Eigen::SelfAdjointEigenSolver<vpPoseMatrix6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[5] * (1. + 1e-12);
-  m_translationBound = 0.5 / (shared * translation);
+  const double shared = Eigen::SelfAdjointEigenSolver<vpPoseMatrix6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[5];
+  m_translationBound = m_isIsotropic ? 0.5 / variances[0] : 0.5 / (shared * translation);
   const double rotationBound = 0.5 / (shared * rotation) - curvature;
   m_rotationBound = std::max(rotationBound, 0.);
   m_constantBound = std::min(rotationBound, 0.) * M_PI * M_PI;
@@ -161,25 +185,48 @@ void vpPoseMixture::prepare()
   m_isPrepared = true;
 }
 
-void vpPoseMixture::visit(const Place &place, const Kernel &kernel, Sum &sum, Effort &effort) const
+// Half the squared length of the whitened coordinates of the pose about the kernel's mean.
+vpPoseMixture::Term vpPoseMixture::termOf(const Place &place, const Kernel &kernel) const
 {
-  effort.visited++;
-  const Eigen::Vector3d apart = place.translation - kernel.mean.translation;
-  // 8 (1 - cos(theta / 2)) is at most theta^2.
-  const double squaredAngle = 8. * (1. - std::min(std::fabs(place.rotation.dot(kernel.mean.rotation)), 1.));
-  const double bound = m_translationBound * apart.squaredNorm() + m_rotationBound * squaredAngle + m_constantBound;
-  if (bound >= sum.limit()) {
-    return;
-  }
-  effort.evaluated++;
   const Eigen::Quaterniond back = kernel.mean.rotation.conjugate();
   const Eigen::Quaterniond turned = back * place.rotation;
-  const vpPoseTangent alpha = vpPoseExponential::log(turned, back * apart);
-  const vpPoseTangent white = m_whitening.triangularView<Eigen::Lower>() * alpha;
+  const vpPoseTangent alpha = vpPoseExponential::log(turned, back * (place.translation - kernel.mean.translation));
+  const vpPoseTangent white = m_whitening * alpha;
   // 1 / det V^2, as vpPoseExponential::logVolume() has it: (theta / 2)^4 / sin^4(theta / 2).
   const double squaredSine = turned.vec().squaredNorm();
   const double ratio = squaredSine > 1e-15 ? alpha.tail<3>().squaredNorm() / (4. * squaredSine) : 1.;
-  sum.add(0.5 * white.squaredNorm(), kernel.weight * ratio * ratio);
+  return {0.5 * white.squaredNorm(), ratio * ratio};
+}
+
+// The same where only the lengths of v and omega matter. V^-1 stretches what is normal to the axis of rotation by
+// (theta / 2) / sin(theta / 2), so |v| follows from the distance and its part along the axis.
+vpPoseMixture::Term vpPoseMixture::isotropicTermOf(const Place &place, const Kernel &kernel) const
+{
+  const Eigen::Quaterniond &a = place.rotation;
+  const Eigen::Quaterniond &b = kernel.mean.rotation;
+  const Eigen::Vector3d apart = place.translation - kernel.mean.translation;
+  // The axis in the frame of the translations, times sin(theta / 2).
+  const Eigen::Vector3d axis = b.w() * a.vec() - a.w() * b.vec() - a.vec().cross(b.vec());
+  const double squaredSine = axis.squaredNorm();
+  const Stretch stretch = stretchOf(squaredSine, std::fabs(a.dot(b)));
+  const double along = axis.dot(apart);
+  const double squaredLength = stretch.ratio * apart.squaredNorm() - stretch.slope * along * along;
+  const double squaredAngle = 4. * stretch.ratio * squaredSine;
+  return {m_translationBound * squaredLength + m_rotationFactor * squaredAngle, stretch.ratio * stretch.ratio};
+}
+
+void vpPoseMixture::visit(const Place &place, const Kernel &kernel, Sum &sum, Effort &effort) const
+{
+  effort.visited++;
+  const double squaredDistance = (place.translation - kernel.mean.translation).squaredNorm();
+  // 8 (1 - cos(theta / 2)) is at most theta^2.
+  const double squaredAngle = 8. * (1. - std::min(std::fabs(place.rotation.dot(kernel.mean.rotation)), 1.));
+  if (m_translationBound * squaredDistance + m_rotationBound * squaredAngle + m_constantBound >= sum.limit()) {
+    return;
+  }
+  effort.evaluated++;
+  const Term term = m_isIsotropic ? isotropicTermOf(place, kernel) : termOf(place, kernel);
+  sum.add(term.exponent, kernel.weight * term.factor);
 }
 
 double vpPoseMixture::logDensity(const vpHomogeneousMatrix &cMo, Effort *effort) const
@@ -193,20 +240,24 @@ double vpPoseMixture::logDensity(const vpHomogeneousMatrix &cMo, Effort *effort)
   }
   const Place place = placeOf(pose);
   const double position = place.translation[m_axis];
-  const auto isBelow = [this](const Kernel &kernel, double value) { return kernel.mean.translation[m_axis] < value; };
-  auto above = std::lower_bound(m_kernels.begin(), m_kernels.end(), position, isBelow);
-  auto below = above; // One past the next one below.
   Sum sum(std::log(m_totalWeight / m_relativeError));
   Effort work;
-  while (true) {
-    const double up = above != m_kernels.end() ? above->mean.translation[m_axis] - position : infinity;
-    const double down = below != m_kernels.begin() ? position - (below - 1)->mean.translation[m_axis] : infinity;
-    const double gap = std::min(up, down);
-    // All kernels that were not visited yet are at least so far away.
-    if (gap == infinity || m_translationBound * gap * gap + m_constantBound >= sum.limit()) {
-      break;
-    }
-    visit(place, up <= down ? *above++ : *--below, sum, work);
+  // All kernels behind one that is too far away along the axis are.
+  const auto isFar = [&](const Kernel &kernel) {
+    const double gap = kernel.mean.translation[m_axis] - position;
+    return m_translationBound * gap * gap + m_constantBound >= sum.limit();
+  };
+  const auto isBelow = [this](const Kernel &kernel, double value) { return kernel.mean.translation[m_axis] < value; };
+  const auto middle = std::lower_bound(m_kernels.begin(), m_kernels.end(), position, isBelow);
+  auto below = middle; // One past the next one.
+  if (below != m_kernels.begin()) {
+    visit(place, *--below, sum, work); // Before those above, which may all be far away.
+  }
+  for (auto above = middle; above != m_kernels.end() && !isFar(*above); ++above) {
+    visit(place, *above, sum, work);
+  }
+  while (below != m_kernels.begin() && !isFar(*(below - 1))) {
+    visit(place, *--below, sum, work);
   }
   if (effort != nullptr) {
     effort->visited += work.visited;

@@ -126,7 +126,17 @@ void vpPoseParticleFilter::start(const std::vector<vpHomogeneousMatrix> &poses, 
   m_isWeighed = m_isProposed = false;
 }
 
+void vpPoseParticleFilter::predict(double dt)
+{
+  predict(dt, Eigen::Isometry3d::Identity());
+}
+
 void vpPoseParticleFilter::predict(double dt, const vpHomogeneousMatrix &oMp)
+{
+  predict(dt, checkedPose(oMp, "as motion"));
+}
+
+void vpPoseParticleFilter::predict(double dt, const Eigen::Isometry3d &oMp)
 {
   requireStarted("predict()");
   if (!(dt >= 0.) || !std::isfinite(dt)) {
@@ -137,12 +147,11 @@ void vpPoseParticleFilter::predict(double dt, const vpHomogeneousMatrix &oMp)
     throw vpException(vpException::fatalError,
                       "vpPoseParticleFilter::predict() after propose() needs resample() in between");
   }
-  const Eigen::Isometry3d motion = checkedPose(oMp, "as motion");
   m_step++;
   m_noise = noiseOf(dt);
   m_prior.clear(m_noise);
   for (std::size_t i = 0; i < m_size; i++) {
-    const Eigen::Isometry3d moved = vpPoseExponential::toEigen(m_poses[i]) * motion;
+    const Eigen::Isometry3d moved = vpPoseExponential::toEigen(m_poses[i]) * oMp;
     if (m_settings.prior == vpPoseParticleSettings::Prior::PREDICTION) {
       m_prior.add(moved, m_weights[i]);
     }

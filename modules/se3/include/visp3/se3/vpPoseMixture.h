@@ -85,15 +85,25 @@ private:
     Place mean;
     double weight;
   };
+  // What a kernel adds: weight * factor * exp(-exponent), in units of the density at the mean.
+  struct Term
+  {
+    double exponent;
+    double factor;
+  };
   class Sum;
 
   Place placeOf(const Eigen::Isometry3d &cMo) const;
+  Term termOf(const Place &place, const Kernel &kernel) const;
+  Term isotropicTermOf(const Place &place, const Kernel &kernel) const;
   void visit(const Place &place, const Kernel &kernel, Sum &sum, Effort &effort) const;
   void setBounds();
 
   vpPoseNoise m_noise;
   double m_relativeError;
   vpPoseMatrix6 m_whitening;      // The inverse of the noise's root.
+  bool m_isIsotropic = false;     // The same variance for all translations, and for all rotations.
+  double m_rotationFactor = 0.;   // Of the squared angle in the exponent of such a kernel.
   double m_translationBound = 0.; // The exponent of a kernel is at least this times a squared distance of translations,
   double m_rotationBound = 0.;    // plus this times the square of the least angle,
   double m_constantBound = 0.;    // plus this.

@@ -67,11 +67,13 @@ public:
 
     \param dt Time since the last predict() or start(), seconds, >= 0.
     \param oMp How the object is expected to move in that time, in its own frame: exp(velocity dt) with the velocity of
-    vpPoseKalmanFilter. The identity where nothing is known.
+    vpPoseKalmanFilter.
     \throw vpException if \e dt or \e oMp is not finite or out of range, the filter is not started, or proposals were
     not resampled.
   */
-  void predict(double dt, const vpHomogeneousMatrix &oMp = vpHomogeneousMatrix());
+  void predict(double dt, const vpHomogeneousMatrix &oMp);
+  //! The same where nothing is known of the motion.
+  void predict(double dt);
 
   /*!
     Multiplies the weights by likelihoods. A second call in a frame replaces the first one.
@@ -140,6 +142,7 @@ public:
 
 private:
   void requireStarted(const char *function) const;
+  void predict(double dt, const Eigen::Isometry3d &oMp);
   void reserve(std::size_t count);
   void scatter(std::size_t i, const Eigen::Isometry3d &cMo, const vpPoseNoise &noise);
   vpPoseNoise noiseOf(double dt) const;
