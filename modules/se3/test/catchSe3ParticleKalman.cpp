@@ -10,34 +10,52 @@
 namespace {
 using Prior = vpPoseParticleSettings::Prior;
 
-const vpHomogeneousMatrix base(0.1, -0.05, 0.8, 0.5, -1.2, 0.4);
-const double deviation = 1e-3; // Of noise and of observations, metres and radians.
+const double deviation = 1e-3; // Of the noise, metres and radians: the unit of all coordinates.
 const int frames = 30;
 const unsigned int runs = 6;
 
-vpPoseTangent coordinatesOf(const vpHomogeneousMatrix &cMo)
+// Coordinates about a pose, for which the noise of the settings is the same everywhere, and what is observed of them.
+struct Toy
 {
-  return vpPoseExponential::log(base.inverse() * cMo) / deviation;
-}
+  vpPoseNoise::Frame frame = vpPoseNoise::Frame::OBJECT;
+  double observation = 1.; // Deviation of what is observed.
+  vpHomogeneousMatrix base = vpHomogeneousMatrix(0.1, -0.05, 0.8, 0.5, -1.2, 0.4);
 
-vpHomogeneousMatrix poseOf(const vpPoseTangent &coordinates)
-{
-  return base * vpPoseExponential::exp(deviation * coordinates);
-}
+  vpPoseTangent coordinatesOf(const vpHomogeneousMatrix &cMo) const
+  {
+    const bool isInObject = frame == vpPoseNoise::Frame::OBJECT;
+    return vpPoseExponential::log(isInObject ? base.inverse() * cMo : cMo * base.inverse()) / deviation;
+  }
 
-// All six coordinates wander by 1 a frame and are observed to 1, in units of the deviation: one variance for all.
+  vpHomogeneousMatrix poseOf(const vpPoseTangent &coordinates) const
+  {
+    const vpHomogeneousMatrix moved = vpPoseExponential::exp(deviation * coordinates);
+    return frame == vpPoseNoise::Frame::OBJECT ? base * moved : moved * base;
+  }
+
+  double logLikelihood(const vpHomogeneousMatrix &cMo, const vpPoseTangent &observed) const
+  {
+    const vpPoseTangent error = (coordinatesOf(cMo) - observed) / observation;
+    return -0.5 * error.squaredNorm() - 3. * std::log(2. * M_PI * observation * observation);
+  }
+};
+
+// All six coordinates wander by 1 a frame: one variance for all.
 struct Kalman
 {
   vpPoseTangent x = vpPoseTangent::Zero();
   double variance = 1.;
   vpPoseTangent innovation = vpPoseTangent::Zero();
 
-  void update(const vpPoseTangent &observed)
+  // Returns the logarithm of the density of what is observed.
+  double update(const vpPoseTangent &observed, double noise)
   {
     const double predicted = variance + 1.;
+    const double expected = predicted + noise;
     innovation = observed - x;
-    x += predicted / (predicted + 1.) * innovation;
-    variance = predicted / (predicted + 1.);
+    x += predicted / expected * innovation;
+    variance = predicted * noise / expected;
+    return -0.5 * innovation.squaredNorm() / expected - 3. * std::log(2. * M_PI * expected);
   }
 };
 
@@ -50,14 +68,8 @@ struct Differences
   double evidence = 0.; // Mean difference of the logarithm of the observation's density.
 };
 
-double logEvidence(const Kalman &before, const vpPoseTangent &observed)
-{
-  const double variance = before.variance + 2.;
-  return -0.5 * (observed - before.x).squaredNorm() / variance - 3. * std::log(2. * M_PI * variance);
-}
-
 // Each of the best particles moved most of the way to what is observed.
-std::vector<vpHomogeneousMatrix> optimised(const vpPoseParticleFilter &filter, std::size_t count,
+std::vector<vpHomogeneousMatrix> optimised(const Toy &toy, const vpPoseParticleFilter &filter, std::size_t count,
                                            const vpPoseTangent &observed)
 {
   std::vector<std::size_t> order(filter.size());
@@ -66,51 +78,56 @@ std::vector<vpHomogeneousMatrix> optimised(const vpPoseParticleFilter &filter, s
                    [&](std::size_t i, std::size_t j) { return filter.weights()[i] > filter.weights()[j]; });
   std::vector<vpHomogeneousMatrix> poses;
   for (std::size_t i = 0; i < count; i++) {
-    const vpPoseTangent start = coordinatesOf(filter.pose(order[i]));
-    poses.push_back(poseOf(start + 0.8 * (observed - start)));
+    const vpPoseTangent start = toy.coordinatesOf(filter.pose(order[i]));
+    poses.push_back(toy.poseOf(start + (1. - 0.2 * toy.observation * toy.observation) * (observed - start)));
   }
   return poses;
 }
 
-std::vector<double> logLikelihoods(const vpPoseParticleFilter &filter, std::size_t first, const vpPoseTangent &observed)
+std::vector<double> logLikelihoods(const Toy &toy, const vpPoseParticleFilter &filter, std::size_t first,
+                                   const vpPoseTangent &observed)
 {
   std::vector<double> numbers;
   for (std::size_t i = first; i < filter.size(); i++) {
-    const double squares = (coordinatesOf(filter.pose(i)) - observed).squaredNorm();
-    numbers.push_back(-0.5 * squares - 3. * std::log(2. * M_PI));
+    numbers.push_back(toy.logLikelihood(filter.pose(i), observed));
   }
   return numbers;
 }
 
-Differences compare(vpPoseParticleSettings settings, std::size_t proposals)
+Differences compare(vpPoseParticleSettings settings, std::size_t proposals, const Toy &toy = Toy())
 {
   settings.translationNoise = settings.rotationNoise = deviation;
   settings.noiseTime = 0.1;
+  settings.noiseFrame = toy.frame;
   Differences sum;
   double innovations = 0.;
   for (unsigned int run = 0; run < runs; run++) {
     settings.seed = 10 + run;
     vpPoseRandom random(99, {run});
     vpPoseParticleFilter filter(settings);
-    filter.start(base, vpPoseNoise::isotropic(deviation, deviation));
+    filter.start(toy.base, vpPoseNoise::isotropic(deviation, deviation, toy.frame));
     Kalman kalman;
     vpPoseTangent truth = random.normalTangent();
     for (int frame = 0; frame < frames; frame++) {
       truth += random.normalTangent();
-      const vpPoseTangent observed = truth + random.normalTangent();
+      const vpPoseTangent observed = truth + toy.observation * random.normalTangent();
       filter.predict(0.1);
-      double evidence = filter.weigh(logLikelihoods(filter, 0, observed));
+      double evidence = filter.weigh(logLikelihoods(toy, filter, 0, observed));
       if (proposals > 0) {
-        filter.propose(optimised(filter, proposals, observed));
-        evidence = filter.weighProposals(logLikelihoods(filter, filter.predictedSize(), observed));
+        filter.propose(optimised(toy, filter, proposals, observed));
+        evidence = filter.weighProposals(logLikelihoods(toy, filter, filter.predictedSize(), observed));
       }
-      sum.evidence += evidence - logEvidence(kalman, observed);
-      kalman.update(observed);
-      const vpPoseTangent difference = coordinatesOf(filter.mean()) - kalman.x;
+      sum.evidence += evidence - kalman.update(observed, toy.observation * toy.observation);
+      const vpPoseTangent mean = toy.coordinatesOf(filter.mean());
+      const vpPoseTangent difference = mean - kalman.x;
       sum.square += difference.squaredNorm() / (6. * kalman.variance);
       sum.pull += difference.dot(kalman.innovation);
       innovations += kalman.innovation.squaredNorm();
-      sum.variance += filter.covariance().trace() / (deviation * deviation) / (6. * kalman.variance);
+      double squares = 0.;
+      for (std::size_t i = 0; i < filter.size(); i++) {
+        squares += filter.weights()[i] * (toy.coordinatesOf(filter.pose(i)) - mean).squaredNorm();
+      }
+      sum.variance += squares / (6. * kalman.variance);
       filter.resample();
     }
   }
@@ -120,30 +137,96 @@ Differences compare(vpPoseParticleSettings settings, std::size_t proposals)
   sum.pull /= innovations;
   return sum;
 }
+
+vpPoseParticleSettings scattered(std::size_t number)
+{
+  vpPoseParticleSettings settings;
+  settings.number = number;
+  settings.scatterProposals = true;
+  return settings;
+}
 } // namespace
 
-TEST_CASE("Dump", "[.dump]")
+TEST_CASE("Predicted particles alone are a Kalman filter", "[particles]")
 {
-  for (const std::size_t number : {100, 400, 1600}) {
-    for (int variant = 0; variant < 7; variant++) {
-      if (number > 400 && variant != 0 && variant != 1 && variant != 2 && variant != 5)
-        continue;
-      vpPoseParticleSettings settings;
-      settings.number = number;
-      settings.scatterProposals = variant < 3 || variant == 6;
-      settings.correctProposals = variant != 2 && variant != 5;
-      settings.proposalSpread = variant == 6 ? 0.5 : 1.;
-      settings.prior = variant == 4 ? Prior::PARTICLES : Prior::PREDICTION;
-      const Differences d = compare(settings, variant == 0 ? 0 : number * 3 / 10);
-      const char *names[] = {"none",
-                             "scatter",
-                             "scatter uncorrected",
-                             "T10 points, f prediction",
-                             "T10 points, f particles",
-                             "T10 points uncorrected",
-                             "scatter .5"};
-      printf("%5zu %-26s square %.4f pull %+.4f variance %.4f evidence %+.4f\n", number, names[variant], d.square,
-             d.pull, d.variance, d.evidence);
-    }
-  }
+  vpPoseParticleSettings settings;
+  settings.number = 1600;
+  const Differences d = compare(settings, 0);
+  CAPTURE(d.square, d.pull, d.variance, d.evidence);
+  CHECK(d.square < 0.1);
+  CHECK(std::abs(d.pull) < 0.05);
+  CHECK(std::abs(d.variance - 1.) < 0.06);
+  CHECK(std::abs(d.evidence) < 0.25);
+}
+
+TEST_CASE("With optimised particles it is one too, and closer with fewer of them", "[particles]")
+{
+  const Differences d = compare(scattered(400), 120);
+  CAPTURE(d.square, d.pull, d.variance, d.evidence);
+  CHECK(d.square < 0.03);
+  CHECK(std::abs(d.pull) < 0.015);
+  CHECK(std::abs(d.variance - 1.) < 0.03);
+  CHECK(std::abs(d.evidence) < 0.05);
+}
+
+TEST_CASE("Noise in the camera's frame has the same answer", "[particles]")
+{
+  Toy toy;
+  toy.frame = vpPoseNoise::Frame::CAMERA;
+  const Differences d = compare(scattered(200), 60, toy);
+  CAPTURE(d.square, d.pull, d.variance, d.evidence);
+  CHECK(d.square < 0.06);
+  CHECK(std::abs(d.pull) < 0.02);
+  CHECK(std::abs(d.variance - 1.) < 0.04);
+  CHECK(std::abs(d.evidence) < 0.1);
+}
+
+TEST_CASE("Without f / g the observation counts twice", "[particles]")
+{
+  vpPoseParticleSettings settings = scattered(400);
+  settings.correctProposals = false;
+  const Differences d = compare(settings, 120);
+  CAPTURE(d.square, d.pull, d.variance, d.evidence);
+  CHECK(d.square > 0.3);
+  CHECK(d.pull > 0.2);
+  CHECK(d.variance < 0.9);
+  CHECK(d.evidence > 2.);
+}
+
+TEST_CASE("Observations much sharper than the noise need narrow kernels about the optimised poses", "[particles]")
+{
+  Toy toy;
+  toy.observation = 0.2;
+  vpPoseParticleSettings settings = scattered(100);
+  settings.proposalSpread = 0.3;
+  const Differences guided = compare(settings, 30, toy);
+  CAPTURE(guided.square, guided.pull, guided.variance, guided.evidence);
+  CHECK(guided.square < 0.12);
+  CHECK(std::abs(guided.pull) < 0.015);
+  CHECK(std::abs(guided.variance - 1.) < 0.06);
+  CHECK(std::abs(guided.evidence) < 0.15);
+
+  const Differences alone = compare(settings, 0, toy);
+  CAPTURE(alone.square);
+  CHECK(alone.square > 5.);
+}
+
+// The optimised poses themselves are no draws of g: they lie too close together.
+TEST_CASE("Optimised poses as they are ([T10]) get near the answer, and nearer with f / g", "[particles]")
+{
+  vpPoseParticleSettings settings;
+  settings.number = 100;
+  const Differences corrected = compare(settings, 30);
+  CAPTURE(corrected.square, corrected.pull, corrected.variance, corrected.evidence);
+  settings.prior = Prior::PARTICLES;
+  const Differences particles = compare(settings, 30);
+  CAPTURE(particles.square, particles.pull, particles.variance, particles.evidence);
+  settings.correctProposals = false;
+  const Differences uncorrected = compare(settings, 30);
+  CAPTURE(uncorrected.square, uncorrected.pull, uncorrected.variance, uncorrected.evidence);
+  CHECK(corrected.square < 0.5 * uncorrected.square);
+  CHECK(corrected.pull < 0.6 * uncorrected.pull);
+  CHECK(corrected.variance > 3. * uncorrected.variance);
+  CHECK(particles.pull < 0.9 * uncorrected.pull);
+  CHECK(particles.variance > 3. * uncorrected.variance);
 }
