@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <visp3/se3/vpPoseMixture.h>
+#include "vpPoseMixtureSum.h"
 
 #include <visp3/core/vpException.h>
 
@@ -18,26 +18,14 @@ const double infinity = std::numeric_limits<double>::infinity();
 // positive coefficients, and so below its chord.
 const double curvature = 4. * std::log(M_PI / 2.) / (M_PI * M_PI);
 
-// How exp() stretches: (theta / 2)^2 / sin^2(theta / 2), and what it is above 1, over sin^2(theta / 2).
-struct Stretch
+// (k - 1) / u with k = (theta / 2)^2 / u and u = sin^2(theta / 2) < 0.01, from the series of asin^2. The terms left out
+// are below 1e-15.
+template <typename Lanes> Lanes stretchSlope(const Lanes &u)
 {
-  double ratio;
-  double slope;
-};
-
-Stretch stretchOf(double squaredSine, double cosine)
-{
-  if (squaredSine < 0.01) { // The series of asin^2, whose terms left out are below 1e-15.
-    const double u = squaredSine;
-    const double slope =
-        1. / 3. + u * (8. / 45. + u * (4. / 35. + u * (128. / 1575. +
-                                                       u * (128. / 2079. + u * (1024. / 21021. + u * 256. / 6435.)))));
-    return {1. + u * slope, slope};
-  }
-  const double half = std::atan2(std::sqrt(squaredSine), cosine);
-  const double ratio = half * half / squaredSine;
-  return {ratio, (ratio - 1.) / squaredSine};
+  return 1. / 3. + u * (8. / 45. + u * (4. / 35. + u * (128. / 1575. +
+                                                        u * (128. / 2079. + u * (1024. / 21021. + u * 256. / 6435.)))));
 }
+const double largestSquaredSine = 0.01;
 
 double largestEigenvalue(const Eigen::Matrix3d &m)
 {
@@ -45,44 +33,18 @@ double largestEigenvalue(const Eigen::Matrix3d &m)
 }
 } // namespace
 
-// A sum of weight * exp(-exponent) that neither over- nor underflows, and what may be left out of it.
-class vpPoseMixture::Sum
+void vpPoseMixture::Block::set(int lane, const Eigen::Quaterniond &rotation, const Eigen::Vector3d &translation,
+                               double kernelWeight)
 {
-public:
-  // allowance: the logarithm of all weights' sum over the relative error.
-  explicit Sum(double allowance) : m_allowance(allowance) {}
-
-  void add(double exponent, double weight)
-  {
-    if (exponent < m_least) {
-      m_sum = m_sum * std::exp(exponent - m_least) + weight;
-      m_least = exponent;
-      setLimit();
-      return;
-    }
-    m_sum += weight * std::exp(m_least - exponent);
-    if (m_sum > 1.5 * m_sumOfLimit) {
-      setLimit();
-    }
-  }
-
-  // Kernels whose exponents are above this come to less than the relative error of what is summed, all together.
-  double limit() const { return m_limit; }
-  double logarithm() const { return std::log(m_sum) - m_least; }
-
-private:
-  void setLimit()
-  {
-    m_sumOfLimit = m_sum;
-    m_limit = m_allowance - logarithm();
-  }
-
-  double m_allowance;
-  double m_least = infinity;
-  double m_sum = 0.; // In units of exp(-m_least).
-  double m_sumOfLimit = 0.;
-  double m_limit = infinity;
-};
+  w[lane] = rotation.w();
+  x[lane] = rotation.x();
+  y[lane] = rotation.y();
+  z[lane] = rotation.z();
+  tx[lane] = translation.x();
+  ty[lane] = translation.y();
+  tz[lane] = translation.z();
+  weight[lane] = kernelWeight;
+}
 
 vpPoseMixture::vpPoseMixture(const vpPoseNoise &kernel, double relativeError)
     : m_noise(kernel), m_relativeError(relativeError)
@@ -99,6 +61,7 @@ void vpPoseMixture::clear(const vpPoseNoise &kernel)
   m_noise = kernel;
   setBounds();
   m_kernels.clear();
+  m_blocks.clear();
   m_totalWeight = 0.;
   m_isPrepared = true;
 }
@@ -182,6 +145,13 @@ void vpPoseMixture::prepare()
     return a.mean.translation[m_axis] < b.mean.translation[m_axis];
   };
   std::sort(m_kernels.begin(), m_kernels.end(), isBefore);
+  m_blocks.resize((m_kernels.size() + lanes - 1) / lanes);
+  for (std::size_t i = 0; i < m_blocks.size() * lanes; i++) {
+    // The last block is filled up with copies of the last kernel that have no weight.
+    const Kernel &kernel = m_kernels[std::min(i, m_kernels.size() - 1)];
+    m_blocks[i / lanes].set(static_cast<int>(i % lanes), kernel.mean.rotation, kernel.mean.translation,
+                            i < m_kernels.size() ? kernel.weight : 0.);
+  }
   m_isPrepared = true;
 }
 
@@ -198,21 +168,18 @@ vpPoseMixture::Term vpPoseMixture::termOf(const Place &place, const Kernel &kern
   return {0.5 * white.squaredNorm(), ratio * ratio};
 }
 
-// The same where only the lengths of v and omega matter. V^-1 stretches what is normal to the axis of rotation by
-// (theta / 2) / sin(theta / 2), so |v| follows from the distance and its part along the axis.
-vpPoseMixture::Term vpPoseMixture::isotropicTermOf(const Place &place, const Kernel &kernel) const
+// Of the kernels along the axis.
+std::size_t vpPoseMixture::nearest(double position) const
 {
-  const Eigen::Quaterniond &a = place.rotation;
-  const Eigen::Quaterniond &b = kernel.mean.rotation;
-  const Eigen::Vector3d apart = place.translation - kernel.mean.translation;
-  // The axis in the frame of the translations, times sin(theta / 2).
-  const Eigen::Vector3d axis = b.w() * a.vec() - a.w() * b.vec() - a.vec().cross(b.vec());
-  const double squaredSine = axis.squaredNorm();
-  const Stretch stretch = stretchOf(squaredSine, std::fabs(a.dot(b)));
-  const double along = axis.dot(apart);
-  const double squaredLength = stretch.ratio * apart.squaredNorm() - stretch.slope * along * along;
-  const double squaredAngle = 4. * stretch.ratio * squaredSine;
-  return {m_translationBound * squaredLength + m_rotationFactor * squaredAngle, stretch.ratio * stretch.ratio};
+  const auto isBelow = [this](const Kernel &kernel, double value) { return kernel.mean.translation[m_axis] < value; };
+  const auto above = std::lower_bound(m_kernels.begin(), m_kernels.end(), position, isBelow);
+  const std::size_t index = static_cast<std::size_t>(above - m_kernels.begin());
+  if (index == 0) {
+    return 0;
+  }
+  const bool isBelowNearer = above == m_kernels.end() || position - (above - 1)->mean.translation[m_axis] <
+                                                             above->mean.translation[m_axis] - position;
+  return isBelowNearer ? index - 1 : index;
 }
 
 void vpPoseMixture::visit(const Place &place, const Kernel &kernel, Sum &sum, Effort &effort) const
@@ -225,8 +192,54 @@ void vpPoseMixture::visit(const Place &place, const Kernel &kernel, Sum &sum, Ef
     return;
   }
   effort.evaluated++;
-  const Term term = m_isIsotropic ? isotropicTermOf(place, kernel) : termOf(place, kernel);
+  const Term term = termOf(place, kernel);
   sum.add(term.exponent, kernel.weight * term.factor);
+}
+
+// The same for a block of kernels where only the lengths of v and omega matter. V^-1 stretches what is normal to the
+// axis of rotation by (theta / 2) / sin(theta / 2), so |v| follows from the distance and its part along the axis.
+bool vpPoseMixture::visitTogether(const Place &place, const Block &block, Sum &sum) const
+{
+  const double aw = place.rotation.w(), ax = place.rotation.x(), ay = place.rotation.y(), az = place.rotation.z();
+  const Lanes tx = place.translation.x() - block.tx;
+  const Lanes ty = place.translation.y() - block.ty;
+  const Lanes tz = place.translation.z() - block.tz;
+  const Lanes squaredDistance = tx * tx + ty * ty + tz * tz;
+  const Lanes cosine = (aw * block.w + ax * block.x + ay * block.y + az * block.z).abs();
+  const Lanes bound = m_translationBound * squaredDistance + 8. * m_rotationBound * (1. - cosine) + m_constantBound;
+  if (bound.minCoeff() >= sum.limit()) {
+    return true;
+  }
+  // The axis in the frame of the translations, times sin(theta / 2).
+  const Lanes nx = ax * block.w - aw * block.x - (ay * block.z - az * block.y);
+  const Lanes ny = ay * block.w - aw * block.y - (az * block.x - ax * block.z);
+  const Lanes nz = az * block.w - aw * block.z - (ax * block.y - ay * block.x);
+  const Lanes squaredSine = nx * nx + ny * ny + nz * nz;
+  if (squaredSine.maxCoeff() > largestSquaredSine) {
+    return false;
+  }
+  const Lanes slope = stretchSlope(squaredSine);
+  const Lanes ratio = 1. + squaredSine * slope;
+  const Lanes along = nx * tx + ny * ty + nz * tz;
+  const Lanes exponent = m_translationBound * (ratio * squaredDistance - slope * along * along) +
+                         4. * m_rotationFactor * ratio * squaredSine;
+  const double least = exponent.minCoeff();
+  sum.add(least, (block.weight * ratio * ratio * (least - exponent).exp()).sum());
+  return true;
+}
+
+void vpPoseMixture::visitBlock(const Place &place, std::size_t index, Sum &sum, Effort &effort) const
+{
+  const std::size_t first = index * lanes;
+  const std::size_t last = std::min(first + lanes, m_kernels.size());
+  if (m_isIsotropic && visitTogether(place, m_blocks[index], sum)) {
+    effort.visited += last - first;
+    effort.evaluated += last - first;
+    return;
+  }
+  for (std::size_t i = first; i < last; i++) {
+    visit(place, m_kernels[i], sum, effort);
+  }
 }
 
 double vpPoseMixture::logDensity(const vpHomogeneousMatrix &cMo, Effort *effort) const
@@ -247,17 +260,13 @@ double vpPoseMixture::logDensity(const vpHomogeneousMatrix &cMo, Effort *effort)
     const double gap = kernel.mean.translation[m_axis] - position;
     return m_translationBound * gap * gap + m_constantBound >= sum.limit();
   };
-  const auto isBelow = [this](const Kernel &kernel, double value) { return kernel.mean.translation[m_axis] < value; };
-  const auto middle = std::lower_bound(m_kernels.begin(), m_kernels.end(), position, isBelow);
-  auto below = middle; // One past the next one.
-  if (below != m_kernels.begin()) {
-    visit(place, *--below, sum, work); // Before those above, which may all be far away.
+  const std::size_t home = nearest(position) / lanes;
+  visitBlock(place, home, sum, work);
+  for (std::size_t i = home + 1; i < m_blocks.size() && !isFar(m_kernels[i * lanes]); i++) {
+    visitBlock(place, i, sum, work);
   }
-  for (auto above = middle; above != m_kernels.end() && !isFar(*above); ++above) {
-    visit(place, *above, sum, work);
-  }
-  while (below != m_kernels.begin() && !isFar(*(below - 1))) {
-    visit(place, *--below, sum, work);
+  for (std::size_t i = home; i > 0 && !isFar(m_kernels[i * lanes - 1]); i--) {
+    visitBlock(place, i - 1, sum, work);
   }
   if (effort != nullptr) {
     effort->visited += work.visited;

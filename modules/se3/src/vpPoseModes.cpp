@@ -38,11 +38,16 @@ double vpPoseModes::squaredDistance(std::size_t i, std::size_t j) const
 void vpPoseModes::findDensities(const double *weights, std::size_t count)
 {
   m_densities.assign(weights, weights + count);
+  m_squares.resize(count * count);
   for (std::size_t i = 0; i < count; i++) {
     for (std::size_t j = 0; j < i; j++) {
-      const double share = std::exp(-2. * squaredDistance(i, j));
-      m_densities[i] += weights[j] * share;
-      m_densities[j] += weights[i] * share;
+      const double squared = squaredDistance(i, j);
+      m_squares[i * count + j] = m_squares[j * count + i] = squared;
+      if (squared < 20.) { // Farther ones add less than 1e-17.
+        const double share = std::exp(-2. * squared);
+        m_densities[i] += weights[j] * share;
+        m_densities[j] += weights[i] * share;
+      }
     }
   }
 }
@@ -59,7 +64,7 @@ void vpPoseModes::climb(const double *weights, std::size_t count)
     double least = 1.;
     for (std::size_t j = 0; j < count; j++) {
       if (weights[j] > 0. && isDenser(j, i)) {
-        const double squared = squaredDistance(i, j);
+        const double squared = m_squares[i * count + j];
         if (squared < least) {
           least = squared;
           m_peaks[i] = j;

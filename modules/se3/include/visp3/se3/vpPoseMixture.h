@@ -91,12 +91,24 @@ private:
     double exponent;
     double factor;
   };
+  // Kernels side by side, as vector units like them.
+  static constexpr std::size_t lanes = 8;
+  using Lanes = Eigen::Array<double, static_cast<int>(lanes), 1>;
+  struct Block
+  {
+    Lanes w, x, y, z; // The rotation.
+    Lanes tx, ty, tz;
+    Lanes weight;
+    void set(int lane, const Eigen::Quaterniond &rotation, const Eigen::Vector3d &translation, double kernelWeight);
+  };
   class Sum;
 
   Place placeOf(const Eigen::Isometry3d &cMo) const;
   Term termOf(const Place &place, const Kernel &kernel) const;
-  Term isotropicTermOf(const Place &place, const Kernel &kernel) const;
+  std::size_t nearest(double position) const;
   void visit(const Place &place, const Kernel &kernel, Sum &sum, Effort &effort) const;
+  bool visitTogether(const Place &place, const Block &block, Sum &sum) const;
+  void visitBlock(const Place &place, std::size_t index, Sum &sum, Effort &effort) const;
   void setBounds();
 
   vpPoseNoise m_noise;
@@ -108,6 +120,7 @@ private:
   double m_rotationBound = 0.;    // plus this times the square of the least angle,
   double m_constantBound = 0.;    // plus this.
   std::vector<Kernel> m_kernels;
+  std::vector<Block> m_blocks; // The same ones.
   double m_totalWeight = 0.;
   int m_axis = 0; // Along which the kernels are sorted.
   bool m_isPrepared = true;

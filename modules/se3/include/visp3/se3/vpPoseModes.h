@@ -31,7 +31,7 @@ struct VISP_EXPORT vpPoseMode
   end at the same peak are one mode (quick shift: A. Vedaldi and S. Soatto, "Quick shift and kernel methods for mode
   seeking", ECCV 2008). Nothing is random, and the order of the poses matters for equal densities only.
 
-  The time grows with the square of the number of poses.
+  Time and memory grow with the square of the number of poses.
 
   \sa \ref se3_particles
 */
@@ -74,6 +74,7 @@ private:
   double m_rotation;
   std::vector<Eigen::Quaterniond> m_rotations;
   std::vector<Eigen::Vector3d> m_translations;
+  std::vector<double> m_squares; // Distances of all pairs.
   std::vector<double> m_densities;
   std::vector<std::size_t> m_peaks; // Of each pose.
   std::vector<double> m_masked;     // The weights of one mode's poses, 0 for the others.
