@@ -5,30 +5,38 @@
 #include <visp3/core/vpVelocityTwistMatrix.h>
 
 #include <cmath>
+#include <utility>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
 template <int Rows, int Columns> using RowMajor = Eigen::Matrix<double, Rows, Columns, Eigen::RowMajor>;
 
-// Below this angle (radians) the closed forms cancel, and two terms of their series are exact to rounding.
+// Below this angle (radians) a quotient of 0 / 0 is near, and one term of its series is exact to rounding.
 const double smallAngle = 1e-3;
 
-// ViSP's vpThetaUVector recovers the axis near pi from sqrt(R[i][i] - cos(theta)); a quaternion has no such place.
-Eigen::Vector3d rotationVector(const Eigen::Matrix3d &aRb)
+// asin(s) / s of a half angle's sine s, from the squared sine and the cosine c >= 0.
+double angleOverSine(double squaredSine, double cosine)
 {
-  const Eigen::AngleAxisd angleAxis{Eigen::Quaterniond(aRb)};
-  return angleAxis.angle() * angleAxis.axis();
+  if (squaredSine > 0.01) {
+    const double sine = std::sqrt(squaredSine);
+    return std::atan2(sine, cosine) / sine;
+  }
+  // The terms left out are below 1e-15.
+  const double u = squaredSine;
+  return 1. +
+         u * (1. / 6. + u * (3. / 40. + u * (5. / 112. + u * (35. / 1152. + u * (63. / 2816. + u * 231. / 13312.)))));
 }
 
-// (1 - theta / 2 cot(theta / 2)) / theta^2, the factor of [omega]^2 in the inverse of the left Jacobian of SO(3).
-double inverseJacobianFactor(double theta)
+// (1 - cos(theta)) / theta^2 and (theta - sin(theta)) / theta^3.
+std::pair<double, double> jacobianFactors(double theta)
 {
-  if (theta < smallAngle) {
-    return 1. / 12. + theta * theta / 720.;
+  const double square = theta * theta;
+  if (theta < 0.02) { // The second form loses digits with the third power of the angle.
+    return {0.5 - square / 24. * (1. - square / 30.), 1. / 6. - square / 120. * (1. - square / 42.)};
   }
-  const double half = 0.5 * theta;
-  return (1. - half * std::cos(half) / std::sin(half)) / (theta * theta);
+  const double sine = std::sin(0.5 * theta) / theta;
+  return {2. * sine * sine, (theta - std::sin(theta)) / (square * theta)};
 }
 } // namespace
 
@@ -39,17 +47,43 @@ vpHomogeneousMatrix vpPoseExponential::exp(const vpPoseTangent &xi)
   return vpExponentialMap::direct(v);
 }
 
+Eigen::Isometry3d vpPoseExponential::expEigen(const vpPoseTangent &xi)
+{
+  const Eigen::Vector3d v = xi.head<3>();
+  const Eigen::Vector3d omega = xi.tail<3>();
+  const double theta = omega.norm();
+  const auto [first, second] = jacobianFactors(theta);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (theta > 0.) {
+    pose.linear() = Eigen::AngleAxisd(theta, omega / theta).toRotationMatrix();
+  }
+  const Eigen::Vector3d turned = omega.cross(v);
+  pose.translation() = v + first * turned + second * omega.cross(turned);
+  return pose;
+}
+
 vpPoseTangent vpPoseExponential::log(const vpHomogeneousMatrix &aMb)
 {
   return log(toEigen(aMb));
 }
 
+// ViSP's vpThetaUVector recovers the axis near pi from sqrt(R[i][i] - cos(theta)); a quaternion has no such place.
 vpPoseTangent vpPoseExponential::log(const Eigen::Isometry3d &aMb)
 {
-  const Eigen::Vector3d t = aMb.translation();
-  const Eigen::Vector3d omega = rotationVector(aMb.linear());
+  return log(Eigen::Quaterniond(aMb.linear()).normalized(), aMb.translation());
+}
+
+vpPoseTangent vpPoseExponential::log(const Eigen::Quaterniond &aRb, const Eigen::Vector3d &atb)
+{
+  const double sign = aRb.w() < 0. ? -1. : 1.; // Of the two quaternions of a rotation, that of the shorter way.
+  const double cosine = sign * aRb.w();        // Of half the angle.
+  const double squaredSine = aRb.vec().squaredNorm();
+  const double ratio = angleOverSine(squaredSine, cosine);
+  const Eigen::Vector3d omega = 2. * sign * ratio * aRb.vec();
+  // (1 - theta / 2 cot(theta / 2)) / theta^2. Its rounding error grows to 1e-16 / theta^2, but meets theta^2 below.
+  const double factor = squaredSine < 1e-15 ? 1. / 12. : (1. - ratio * cosine) / (4. * ratio * ratio * squaredSine);
   vpPoseTangent xi;
-  xi << t - 0.5 * omega.cross(t) + inverseJacobianFactor(omega.norm()) * omega.cross(omega.cross(t)), omega;
+  xi << atb - 0.5 * omega.cross(atb) + factor * omega.cross(omega.cross(atb)), omega;
   return xi;
 }
 

@@ -12,10 +12,10 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-double checkedSum(const std::vector<double> &weights)
+double checkedSum(const double *weights, std::size_t count)
 {
   double sum = 0.;
-  for (std::size_t i = 0; i < weights.size(); i++) {
+  for (std::size_t i = 0; i < count; i++) {
     if (!(weights[i] >= 0.)) {
       throw vpException(vpException::badValue, "Weight %u of a pose mean is %g, but weights have to be >= 0",
                         static_cast<unsigned int>(i), weights[i]);
@@ -48,9 +48,17 @@ vpHomogeneousMatrix vpPoseMean::weighted(const std::vector<vpHomogeneousMatrix> 
                       "A pose mean needs a weight for each pose, but has %u poses and %u weights",
                       static_cast<unsigned int>(poses.size()), static_cast<unsigned int>(weights.size()));
   }
-  const double sum = checkedSum(weights);
+  return weighted(poses.data(), weights.data(), poses.size());
+}
+
+vpHomogeneousMatrix vpPoseMean::weighted(const vpHomogeneousMatrix *poses, const double *weights, std::size_t count)
+{
+  if (count == 0) {
+    throw vpException(vpException::badValue, "A pose mean needs at least one pose");
+  }
+  const double sum = checkedSum(weights, count);
   Eigen::Matrix4d mean = Eigen::Matrix4d::Zero();
-  for (std::size_t i = 0; i < poses.size(); i++) {
+  for (std::size_t i = 0; i < count; i++) {
     mean += weights[i] / sum * vpPoseExponential::toEigen(poses[i]).matrix();
   }
   if (!mean.allFinite()) {

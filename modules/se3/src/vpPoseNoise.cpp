@@ -73,6 +73,13 @@ vpHomogeneousMatrix vpPoseNoise::draw(const vpHomogeneousMatrix &cMo, vpPoseRand
   return m_frame == Frame::OBJECT ? cMo * displacement : displacement * cMo; // [T10] eq. 6 is the latter
 }
 
+Eigen::Isometry3d vpPoseNoise::draw(const Eigen::Isometry3d &cMo, vpPoseRandom &random) const
+{
+  const vpPoseTangent alpha = m_root.triangularView<Eigen::Lower>() * random.normalTangent();
+  const Eigen::Isometry3d displacement = vpPoseExponential::expEigen(alpha);
+  return m_frame == Frame::OBJECT ? cMo * displacement : displacement * cMo;
+}
+
 double vpPoseNoise::logDensity(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &mean) const
 {
   // Mixtures ask for every pair of two sets of poses: Eigen's types have no memory to allocate.

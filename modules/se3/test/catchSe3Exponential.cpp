@@ -43,6 +43,21 @@ TEST_CASE("exp is the matrix exponential and ViSP's map", "[exponential]")
   }
 }
 
+TEST_CASE("exp and log of Eigen's types are those of ViSP's", "[exponential]")
+{
+  for (const vpPoseTangent &xi : awkwardTangents()) {
+    CAPTURE(xi.transpose());
+    const Eigen::Isometry3d pose = vpPoseExponential::expEigen(xi);
+    CHECK((pose.matrix() - seriesOfExp(xi)).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK((vpPoseExponential::log(pose) - xi).cwiseAbs().maxCoeff() < 1e-12);
+    Eigen::Quaterniond rotation(pose.linear());
+    rotation.normalize();
+    CHECK((vpPoseExponential::log(rotation, pose.translation()) - xi).cwiseAbs().maxCoeff() < 1e-12);
+    rotation.coeffs() *= -1.;
+    CHECK((vpPoseExponential::log(rotation, pose.translation()) - xi).cwiseAbs().maxCoeff() < 1e-12);
+  }
+}
+
 TEST_CASE("exp of a screw about the z axis runs along an arc", "[exponential]")
 {
   const vpHomogeneousMatrix pose = vpPoseExponential::exp(tangentOf({M_PI / 2., 0., 0.1}, {0., 0., M_PI / 2.}));

@@ -40,6 +40,9 @@ public:
   */
   static vpHomogeneousMatrix exp(const vpPoseTangent &xi);
 
+  //! The same as a pose of Eigen's, without memory to allocate; equal to exp() up to rounding.
+  static Eigen::Isometry3d expEigen(const vpPoseTangent &xi);
+
   /*!
     The inverse of exp(), accurate for every angle from 0 to pi. At pi the axis has two signs, and one of them is
     returned.
@@ -51,6 +54,14 @@ public:
 
   //! The same for a pose of Eigen's, without memory to allocate.
   static vpPoseTangent log(const Eigen::Isometry3d &aMb);
+
+  /*!
+    The same for a rotation as a quaternion, without trigonometry below 0.2 rad: mixtures ask for all pairs of two sets.
+
+    \param aRb The rotation, a quaternion of unit length and either sign.
+    \param atb The translation, metres.
+  */
+  static vpPoseTangent log(const Eigen::Quaterniond &aRb, const Eigen::Vector3d &atb);
 
   /*!
     \param aMb A pose.

@@ -34,6 +34,12 @@ public:
   */
   static vpHomogeneousMatrix weighted(const std::vector<vpHomogeneousMatrix> &poses,
                                       const std::vector<double> &weights);
+
+  /*!
+    The same for a part of an array.
+    \param poses, weights The first of each. \param count Number of poses, at least 1.
+  */
+  static vpHomogeneousMatrix weighted(const vpHomogeneousMatrix *poses, const double *weights, std::size_t count);
 };
 
 END_VISP_NAMESPACE

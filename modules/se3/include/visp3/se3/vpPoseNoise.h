@@ -55,6 +55,9 @@ public:
   */
   vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, vpPoseRandom &random) const;
 
+  //! The same for a pose of Eigen's, without memory to allocate; equal up to rounding.
+  Eigen::Isometry3d draw(const Eigen::Isometry3d &cMo, vpPoseRandom &random) const;
+
   /*!
     The density with respect to the invariant measure of SE(3), 1 / (m^3 rad^3), the same measure for both frames and
     every mean: sums and ratios of densities with different means are correct. At the mean it is that of a 6-dimensional
@@ -68,6 +71,12 @@ public:
 
   //! \return The covariance that was given.
   const vpPoseMatrix6 &covariance() const { return m_covariance; }
+
+  //! \return The lower triangular root of the covariance: the root times its transpose.
+  const vpPoseMatrix6 &root() const { return m_root; }
+
+  //! \return The logarithm of the density at the mean.
+  double logPeak() const { return m_logPeak; }
 
   //! \return The frame of the noise.
   Frame frame() const { return m_frame; }
