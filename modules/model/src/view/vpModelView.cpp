@@ -3,8 +3,10 @@
 
 #include "view/vpContourSampler.h"
 #include "view/vpCurves.h"
+#include "view/vpDepthProbe.h"
 #include "view/vpModelTopology.h"
 #include "view/vpRimTracer.h"
+#include "view/vpViewCamera.h"
 
 #include <visp3/core/vpException.h>
 
@@ -83,8 +85,29 @@ int vpModelView::edgeNames() const
   return vpCurves::names(*m_model);
 }
 
+// Looks into the depth buffer where the object's centre was when it was drawn.
+vpDepthProbe vpModelView::depthProbe(const vpViewCamera &camera) const
+{
+  const Eigen::Vector3d centre = 0.5 * (m_model->boxMin() + m_model->boxMax());
+  const auto at = [&](const vpHomogeneousMatrix &cMo) {
+    return Eigen::Vector3d(cMo[0][0] * centre.x() + cMo[0][1] * centre.y() + cMo[0][2] * centre.z() + cMo[0][3],
+                           cMo[1][0] * centre.x() + cMo[1][1] * centre.y() + cMo[1][2] * centre.z() + cMo[1][3],
+                           cMo[2][0] * centre.x() + cMo[2][1] * centre.y() + cMo[2][2] * centre.z() + cMo[2][3]);
+  };
+  if (!m_hasDepth) {
+    return vpDepthProbe(nullptr);
+  }
+  const Eigen::Vector3d now = at(m_cMo);
+  const Eigen::Vector3d then = at(m_depthPose);
+  if (!(now.z() > 0.) || !(then.z() > 0.)) {
+    return vpDepthProbe(&m_depth);
+  }
+  return vpDepthProbe(&m_depth, camera.project(now) - camera.project(then), now.z() - then.z());
+}
+
 void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
-                          unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer)
+                          unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer,
+                          bool keepDepth)
 {
   m_points.clear();
   m_contours.clear();
@@ -92,15 +115,17 @@ void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParamete
   findFacesSeen(*m_model, camera, options, m_facesSeen);
 
   m_cMo = cMo;
+  const bool hadDepth = m_hasDepth;
   m_hasDepth = renderer != nullptr && !m_model->isConvex();
-  if (m_hasDepth) {
+  if (m_hasDepth && !(keepDepth && hadDepth)) {
+    m_depthPose = cMo;
     vpRenderOptions depthOptions;
     depthOptions.maxSize = options.visibilitySize;
     depthOptions.scale = 0.5;
     depthOptions.nearDistance = options.nearDistance;
     renderer->render(cMo, cam, imageWidth, imageHeight, depthOptions, m_depth);
   }
-  vpContourSampler sampler(*this, camera, options, vpDepthProbe(depth()));
+  vpContourSampler sampler(*this, camera, options, depthProbe(camera));
   const vpCurves curves(*m_model, *m_topology, m_facesSeen, camera, options);
   curves.addEdges(sampler);
   curves.addLimbs(sampler);

@@ -18,6 +18,8 @@ namespace {
 // When the pose moved the control points by more than this, normals and neighbourhoods have changed: match again.
 const double rematchMotion = 1.5; // Pixels.
 const unsigned int maxMatches = 3;
+// What hides what changes little for poses that move the control points by less than this, pixels.
+const double sameDepth = 2.5;
 
 // A pose that moved its control points by more than this many search ranges in one match has diverged.
 const double maxMotion = 2.;
@@ -174,53 +176,63 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
                       "The image is %u x %u, the tracker was started with %u x %u: initialise again for another size",
                       frame.width(), frame.height(), m_impl->width, m_impl->height);
   }
-  m_impl->minimisations = 0;
-  m_impl->frameCamera = frame.camera();
+  Impl &impl = *m_impl;
+  impl.minimisations = 0;
+  impl.frameCamera = frame.camera();
   const vpHomogeneousMatrix cMoBefore = m_cMo;
   predict();
   judge(estimate(frame));
-  if (m_impl->state == vpTrackingState::LOST) {
+  if (impl.state == vpTrackingState::LOST && impl.type == EDGE_TRACKER) {
     // A jump of the light changes all contrasts at once: without what was remembered of them the edges may be there
     // yet.
     m_cMo = cMoBefore;
-    m_impl->edges.reset();
+    impl.edges.reset();
     judge(estimate(frame));
   }
-  if (getenv("DBG")) {
-    printf("DBG %f %f %f %d\n", m_impl->agreement.edges, m_impl->agreement.color, m_impl->bestExplained, 0);
-    fflush(stdout);
-  }
-  if (m_impl->state == vpTrackingState::LOST) {
-    m_cMo = cMoBefore;
-    m_impl->edges.reset();
-  } else {
-    m_impl->trusted = m_cMo;
-    updateReferences();
-    m_impl->learnResidue();
-    learnUsual();
-    learnSurprise();
-    updateMotion();
+  if (impl.state == vpTrackingState::LOST) {
+    m_cMo = impl.mayCoast() ? impl.expectedPose : cMoBefore;
+    impl.edges.reset();
+  } else if (impl.isTrusted()) {
+    learn();
   }
   if (m_impl->throwOnLoss) {
     testTracking();
   }
 }
 
-void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+// Only from poses that are trusted: what is learnt from a wrong one keeps it wrong.
+void vpMbMultiCueTracker::learn()
 {
-  const vpStopwatch stage(m_impl->timings.view);
-  m_impl->view->compute(cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), m_impl->renderer.get());
-  m_impl->viewedFrame = frame.number();
+  Impl &impl = *m_impl;
+  impl.trusted = m_cMo;
+  updateReferences();
+  impl.learnResidue();
+  if (impl.type != EDGE_TRACKER) {
+    learnUsual();
+    learnSurprise();
+  }
+  updateMotion();
+}
+
+void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth)
+{
+  Impl &impl = *m_impl;
+  const vpStopwatch stage(impl.timings.view);
+  impl.view->compute(cMo, frame.camera(), frame.width(), frame.height(), viewOptions(), impl.renderer.get(), keepDepth);
+  impl.viewedFrame = frame.number();
 }
 
 // Keeps a view of this frame that is near enough, pixels.
 void vpMbMultiCueTracker::updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near)
 {
-  Impl &impl = *m_impl;
-  const bool isOfFrame = impl.viewedFrame == frame.number();
-  if (!isOfFrame || vpControlPointMotion::mean(*impl.view, cMo, frame.camera()) > near) {
-    computeView(frame, cMo);
+  const vpModelView &view = *m_impl->view;
+  const bool isOfFrame = m_impl->viewedFrame == frame.number();
+  if (isOfFrame && vpControlPointMotion::mean(view, cMo, frame.camera()) <= near) {
+    return;
   }
+  const bool keepDepth =
+      isOfFrame && vpControlPointMotion::between(view, view.depthPose(), cMo, frame.camera()) < sameDepth;
+  computeView(frame, cMo, keepDepth);
 }
 
 void vpMbMultiCueTracker::match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
@@ -266,6 +278,9 @@ void vpMbMultiCueTracker::judge(bool estimated)
     impl.state = vpTrackingState::LOST;
   } else {
     impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
+  }
+  if (impl.type != EDGE_TRACKER && impl.state != vpTrackingState::LOST) {
+    impl.state = impl.stateOf(impl.bestExplained);
   }
   impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";
 }

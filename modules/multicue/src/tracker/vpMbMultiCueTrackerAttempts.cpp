@@ -14,13 +14,15 @@ const double edgeReach = 2.5;
 const double pointReach = 2.;
 // Of what the trusted frames before had: from there on a pose is taken, and below this others are looked for all
 // around.
-const double wellExplained = getenv("WE") ? atof(getenv("WE")) : 0.8;
-const double badlyExplained = getenv("BE") ? atof(getenv("BE")) : 0.65;
+const double wellExplained = 0.8;
+const double badlyExplained = 0.65;
 // One cue alone does not make a pose better than those before.
 const double mostOfOne = 1.2;
 // What a right pose has at least, whatever the frames before had.
 const double leastUsual = 0.4;
-const double usualRate = 0.1;
+// Slower down than up: a wrong pose explains less, and must not become the usual one.
+const double usualRiseRate = 0.1;
+const double usualFallRate = 0.02;
 // Turns of the object that are tried, radians.
 const double turn = 0.35;
 
@@ -87,7 +89,10 @@ double vpMbMultiCueTracker::explainedShare()
 void vpMbMultiCueTracker::learnUsual()
 {
   Impl &impl = *m_impl;
-  const auto learn = [](double value, double &usual) { usual += usual > 0. ? usualRate * (value - usual) : value; };
+  const auto learn = [](double value, double &usual) {
+    const double rate = usual > 0. ? (value > usual ? usualRiseRate : usualFallRate) : 1.;
+    usual += rate * (value - usual);
+  };
   learn(impl.agreement.edges, impl.usual.edges);
   learn(impl.agreement.color, impl.usual.color);
   learn(impl.agreement.points, impl.usual.points);
@@ -111,6 +116,7 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.usesPoints = false;
+  impl.edges.reset(); // A jump of the light changes all contrasts at once.
   // Colours mislead where much of the object looks like what is behind it.
   m_cMo = impl.expectedPose;
   if (takeAttempt(refineFused(frame))) {
@@ -123,7 +129,7 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
       return;
     }
   }
-  if (impl.bestExplained < badlyExplained && !getenv("NOTURN")) {
+  if (impl.bestExplained < badlyExplained) {
     tryTurns(frame);
   }
 }

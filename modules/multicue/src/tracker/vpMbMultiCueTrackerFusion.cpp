@@ -28,6 +28,9 @@ const double leastAgreeing = 0.5;
 const double contradiction = 3.;
 // A level of the colours that is fine enough to tell poses apart, and reaches far enough to be wrong about both.
 const unsigned int evidenceLevel = 1;
+// Share of the usual evidence from which on the contour is within reach of that level.
+const double nearContour = 0.75;
+const double leastUsual = 0.4;
 // A view serves poses that move its control points by less than this, pixels; coarse levels: times their scale.
 const double nearMotion = 0.5;
 // How far a point may be from where a pose that it had no part in has it, pixels.
@@ -36,7 +39,7 @@ const double nearPoint = 2.;
 const double leastMotion = 0.04;
 const double mostMotion = 0.15;
 // In standard deviations of how far it was from there in the frames before.
-const double motionFactor = getenv("MF") ? atof(getenv("MF")) : 2.;
+const double motionFactor = 2.;
 const double motionRate = 0.2;
 // The pose's deviation is not believed to be below this share of the diameter, and this angle.
 const double leastTranslation = 5e-4;
@@ -133,11 +136,21 @@ void vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
   if (impl.uses(KLT_TRACKER)) {
     estimateByPoints(frame);
   }
-  const unsigned int coarse = static_cast<unsigned int>(impl.color.settings().scales.size());
-  const unsigned int matches = impl.uses(COLOR_TRACKER) && coarse > 0 ? coarse + 1 : 0;
-  for (unsigned int i = 0; i < matches; ++i) {
-    const unsigned int level =
-        i > 0 ? i - 1 : 0; // The coarsest one twice: its lines reach farther when they lie better.
+  if (impl.uses(COLOR_TRACKER)) {
+    estimateByCoarseColors(frame);
+  }
+}
+
+// Coarse to fine; the levels that reach far are left out where the contour is near already.
+void vpMbMultiCueTracker::estimateByCoarseColors(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const unsigned int levels = static_cast<unsigned int>(impl.color.settings().scales.size());
+  unsigned int level = 0;
+  if (levels > evidenceLevel && colorEvidence(frame, m_cMo) >= nearContour * std::max(impl.usual.color, leastUsual)) {
+    level = evidenceLevel;
+  }
+  for (bool again = level == 0; level < levels;) {
     updateView(frame, m_cMo, nearMotion * impl.color.settings().scales[level]);
     {
       const vpStopwatch stage(impl.timings.match);
@@ -148,6 +161,8 @@ void vpMbMultiCueTracker::estimateCoarse(const vpCueFrame &frame)
     if (!minimise({COLOR_TRACKER, KLT_TRACKER})) {
       m_cMo = cMoBefore;
     }
+    level += again ? 0 : 1; // The coarsest one twice: its lines reach farther when they lie better.
+    again = false;
   }
 }
 
@@ -214,7 +229,6 @@ bool vpMbMultiCueTracker::isBelievable() const
   return std::isfinite(m_cMo[0][0]) && distance < maxMotion * m_impl->model->diameter();
 }
 
-// Only from poses that are trusted: what is learnt from a wrong one keeps it wrong.
 void vpMbMultiCueTracker::updateReferences()
 {
   Impl &impl = *m_impl;

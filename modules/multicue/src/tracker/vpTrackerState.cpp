@@ -15,6 +15,9 @@ const double explained = 0.8; // Pixels.
 // Objects with edges that the image hardly shows never get there: a pose may leave this much more than the ones before.
 const double usualFactor = 1.15;
 const double usualRate = 0.2;
+// Shares of what trusted frames explained.
+const double trustedExplained = 0.65;
+const double leastExplained = 0.4;
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
 } // namespace
@@ -111,6 +114,14 @@ unsigned int vpMbMultiCueTracker::Impl::countGood() const
     count += std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > goodWeight; });
   }
   return static_cast<unsigned int>(count);
+}
+
+vpTrackingState vpMbMultiCueTracker::Impl::stateOf(double share)
+{
+  if (share < leastExplained) {
+    return vpTrackingState::LOST;
+  }
+  return share < trustedExplained ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
 }
 
 double vpMbMultiCueTracker::Impl::explainedResidue() const

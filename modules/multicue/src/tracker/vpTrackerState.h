@@ -61,6 +61,12 @@ public:
   }
   //! Takes the best hypothesis of a trusted frame for what is usual.
   void learnResidue();
+  //! What a share of what is usually explained says of the pose.
+  static vpTrackingState stateOf(double share);
+  //! True where the pose may be learnt from.
+  bool isTrusted() const { return type == EDGE_TRACKER || state == vpTrackingState::TRACKING; }
+  //! True where the prediction is still better than the last pose, for an object that is not seen.
+  bool mayCoast() const { return predicts && kalman.isStarted() && sinceUpdate < longestCoast; }
   bool uses(int cue) const { return (type & cue) != 0; }
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
@@ -109,7 +115,8 @@ public:
   Agreement agreement;   // At the pose that was judged last.
   Agreement usual;       // Mean over the trusted frames.
   double bestExplained = 0.;
-  vpHomogeneousMatrix bestPose; // Of the attempts in this frame.
+  static constexpr double longestCoast = 0.5; // Seconds.
+  vpHomogeneousMatrix bestPose;               // Of the attempts in this frame.
   bool bestIsLast = false;
   vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.
   std::array<double, 2> surprise = {0., 0.}; // Mean squared distance from it, in diameters and radians.

@@ -64,6 +64,8 @@ struct VISP_EXPORT vpModelViewOptions
 };
 
 class vpModelTopology;
+class vpDepthProbe;
+struct vpViewCamera;
 
 /*!
   \ingroup group_model_view
@@ -86,9 +88,13 @@ public:
     \param imageWidth, imageHeight Pixels, > 0.
     \param options How to look; not checked here.
     \param renderer Draws the depth buffer of the same model; not used for a convex one, null there.
+    \param keepDepth Hides edges by the depth buffer that is there, moved to where the object is now: for poses that
+    move the object's points by a few pixels, turns included, which costs a fraction of drawing it. Camera, image size
+    and options have to be those of the last call; where there is no buffer yet, one is drawn.
   */
   void compute(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
-               unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer);
+               unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer,
+               bool keepDepth = false);
 
   //! Lets the next compute() take the faces that another view of the same model sees for those seen before.
   void continueFrom(const vpModelView &other) { m_facesSeen = other.m_facesSeen; }
@@ -96,8 +102,10 @@ public:
   const vpTrackedModel &model() const { return *m_model; }
   //! The pose that was given to compute() last.
   const vpHomogeneousMatrix &pose() const { return m_cMo; }
-  //! The depth buffer of the last compute(), at its own scale; null where it drew none.
+  //! The depth buffer that the last compute() used, at its own scale; null where there is none.
   const vpRenderedView *depth() const { return m_hasDepth ? &m_depth : nullptr; }
+  //! The pose that depth() was drawn for.
+  const vpHomogeneousMatrix &depthPose() const { return m_depthPose; }
   const std::vector<vpControlPoint> &points() const { return m_points; }
   const std::vector<vpContour> &contours() const { return m_contours; }
   //! Per face of the model: 1 where it is seen, as far as its own orientation, size and place decide.
@@ -129,11 +137,14 @@ private:
     bool joined = false;    // Starts where the piece before it ends.
   };
 
+  vpDepthProbe depthProbe(const vpViewCamera &camera) const;
+
   std::shared_ptr<const vpTrackedModel> m_model;
   std::shared_ptr<const vpModelTopology> m_topology;
   vpHomogeneousMatrix m_cMo;
   vpRenderedView m_depth;
   bool m_hasDepth = false;
+  vpHomogeneousMatrix m_depthPose;
   std::vector<vpControlPoint> m_points;
   std::vector<vpContour> m_contours;
   std::vector<char> m_facesSeen;

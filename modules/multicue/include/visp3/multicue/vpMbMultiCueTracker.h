@@ -253,11 +253,12 @@ private:
   void updateReferences();
   void updateRefusedPoints();
   double colorEvidence(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void estimateByCoarseColors(const vpCueFrame &frame);
   void estimateByPoints(const vpCueFrame &frame);
   void updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near);
   void updateMotion();
   bool estimate(const vpCueFrame &frame);
-  void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth = false);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   bool proposePose(const vpCueFrame &frame);
   bool findPoses(unsigned int limit, double decisive);
@@ -266,6 +267,7 @@ private:
   bool refineHypothesis(const vpCueFrame &frame, std::size_t index, unsigned int most);
   bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
+  void learn();
   const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);
   vpMultiCueSettings currentSettings() const;
