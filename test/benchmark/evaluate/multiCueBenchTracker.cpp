@@ -18,6 +18,15 @@ void setCandidates(vpMbMultiCueTracker &tracker, unsigned int candidates)
   tracker.setEdgeSettings(settings);
 }
 
+void useHypotheses(vpMbMultiCueTracker &tracker)
+{
+  tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER);
+  vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
+  settings.enabled = true;
+  tracker.setPoseHypothesisSettings(settings);
+  setCandidates(tracker, 5);
+}
+
 // What each preset changes in a tracker with default settings: a new preset is a line here.
 const std::map<std::string, Preset> &presets()
 {
@@ -25,13 +34,16 @@ const std::map<std::string, Preset> &presets()
   const int all = Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER | Tracker::KLT_TRACKER;
   static const std::map<std::string, Preset> table = {
       {"edge", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER); }},
-      {"edge-mh",
+      {"edge-texture",
        [](Tracker &tracker) {
          tracker.setTrackerType(Tracker::EDGE_TRACKER);
-         vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
-         settings.enabled = true;
-         tracker.setPoseHypothesisSettings(settings);
-         setCandidates(tracker, 5);
+         tracker.setTextureEdges(true);
+       }},
+      {"edge-mh", &useHypotheses},
+      {"edge-mh-texture",
+       [](Tracker &tracker) {
+         useHypotheses(tracker);
+         tracker.setTextureEdges(true);
        }},
       {"color", [](Tracker &tracker) { tracker.setTrackerType(Tracker::COLOR_TRACKER); }},
       {"point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::KLT_TRACKER); }},
@@ -51,6 +63,17 @@ const std::map<std::string, Preset> &presets()
          tracker.setPrediction(true);
        }},
       {"multicue", [](Tracker &tracker) { tracker.setTrackerType(all); }},
+      {"multicue-texture",
+       [](Tracker &tracker) {
+         tracker.setTrackerType(all);
+         tracker.setTextureEdges(true);
+       }},
+      {"multicue-kalman-texture",
+       [](Tracker &tracker) {
+         tracker.setTrackerType(all);
+         tracker.setPrediction(true);
+         tracker.setTextureEdges(true);
+       }},
       {"multicue-kalman",
        [](Tracker &tracker) {
          tracker.setTrackerType(all);

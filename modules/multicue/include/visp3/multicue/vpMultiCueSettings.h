@@ -46,7 +46,8 @@ struct VISP_EXPORT vpMultiCueSettings
   - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
   - edge: range, contrast, mu1, mu2, maskSize, candidates;
   - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, reach, seed;
-  - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, clipToImage;
+  - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, textureEdges,
+    clipToImage;
   - klt: maxFeatures, windowSize, quality, minDistance, harris, blockSize, pyramidLevels, maskBorder;
   - lod: use, minLineLength, minPolygonArea,
 
