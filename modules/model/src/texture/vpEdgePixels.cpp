@@ -13,6 +13,9 @@ const int radius = 3;
 // Neighbours of one chain have gradients that differ by less than about 37 degrees.
 const double sameDirection = 0.8;
 
+// Changes of less than this share of an edge's own do not count as print beside it.
+const double besideShare = 0.25;
+
 std::array<float, 2 * radius + 1> gaussian()
 {
   std::array<float, 2 * radius + 1> kernel;
@@ -131,6 +134,30 @@ void vpEdgePixels::findMaxima(double minContrast)
       m_pixels.push_back(pixel);
     }
   }
+}
+
+double vpEdgePixels::clearance(const vpEdgePixel &pixel, const Eigen::Vector2d &towards, double largest) const
+{
+  const double own = pixel.contrast * gradientOfStep();
+  double least = own;
+  for (double distance = 1.; distance < largest; distance += 1.) {
+    const Eigen::Vector2d place = pixel.place + distance * towards;
+    const bool inside = place.x() >= 0. && place.y() >= 0. && place.x() < m_width - 1. && place.y() < m_height - 1.;
+    if (!inside) {
+      break; // What is beyond the surface's border is the geometry's concern.
+    }
+    const double here = magnitude(place.x(), place.y());
+    if (here > least + besideShare * own) {
+      return distance;
+    }
+    least = std::min(least, here);
+  }
+  return largest;
+}
+
+double vpEdgePixels::clearance(const vpEdgePixel &pixel, double largest) const
+{
+  return std::min(clearance(pixel, pixel.gradient, largest), clearance(pixel, -pixel.gradient, largest));
 }
 
 // The free neighbour that continues best in a direction, -1 for none.

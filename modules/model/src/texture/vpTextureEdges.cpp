@@ -21,6 +21,8 @@ const double meanDeviation = 0.35;
 const std::size_t cornerPixels = 2;
 // For the surface's normal, pixels.
 const double normalStep = 2.;
+// What is farther than this beside an edge does not matter to it, pixels.
+const double largestClearance = 40.;
 // Weaker pixels connect the strong ones of an edge; share of the smallest contrast.
 const double weakest = 0.5;
 
@@ -69,19 +71,18 @@ struct FittedLine
 class EdgeFitter
 {
 public:
-  EdgeFitter(const vpChartImage &image, const vpTextureChart &chart, double pixel, double minLength, double minContrast,
-             std::vector<vpTextureEdge> &edges)
-      : m_image(image), m_chart(chart), m_pixel(pixel), m_minLength(minLength), m_minContrast(minContrast),
-        m_edges(edges)
+  EdgeFitter(const vpChartImage &image, const vpEdgePixels &pixels, bool oriented, double pixel,
+             const vpTextureEdgeOptions &options, std::vector<vpTextureEdge> &edges)
+      : m_image(image), m_pixels(pixels), m_oriented(oriented), m_pixel(pixel), m_options(options), m_edges(edges)
   {
   }
 
-  void add(const std::vector<vpEdgePixel> &pixels, const std::vector<int> &chain)
+  void add(const std::vector<int> &chain)
   {
     std::vector<SurfacePoint> points;
     points.reserve(chain.size());
     for (const int i : chain) {
-      const vpEdgePixel &pixel = pixels[static_cast<std::size_t>(i)];
+      const vpEdgePixel &pixel = m_pixels.pixels()[static_cast<std::size_t>(i)];
       points.push_back({m_image.toObject(pixel.place.x(), pixel.place.y()), &pixel});
     }
     if (!points.empty()) {
@@ -127,15 +128,29 @@ private:
     for (const SurfacePoint *point = first; point != last; ++point) {
       edge.contrast += point->pixel->contrast / static_cast<double>(last - first);
     }
-    if (line.deviation > meanDeviation * m_pixel || (edge.position[1] - edge.position[0]).norm() < m_minLength ||
-        edge.contrast < m_minContrast) {
+    const double length = (edge.position[1] - edge.position[0]).norm();
+    if (line.deviation > meanDeviation * m_pixel || length < m_options.minLength * m_options.resolution * m_pixel ||
+        edge.contrast < m_options.minContrast) {
       return;
     }
     const vpEdgePixel &middle = *first[(last - first) / 2].pixel;
     edge.normal = m_image.normal(middle.place.x(), middle.place.y(), normalStep);
-    edge.oriented = m_chart.oriented;
+    edge.oriented = m_oriented;
+    edge.clearance = clearance(first, last) * m_pixel;
     turn(edge, middle);
     m_edges.push_back(edge);
+  }
+
+  // That most of the points have, pixels.
+  double clearance(const SurfacePoint *first, const SurfacePoint *last) const
+  {
+    std::vector<double> distances;
+    for (const SurfacePoint *point = first; point != last; ++point) {
+      distances.push_back(m_pixels.clearance(*point->pixel, largestClearance));
+    }
+    const auto quarter = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 4);
+    std::nth_element(distances.begin(), quarter, distances.end());
+    return *quarter;
   }
 
   // Has the brighter side on the left.
@@ -150,10 +165,10 @@ private:
   }
 
   const vpChartImage &m_image;
-  const vpTextureChart &m_chart;
+  const vpEdgePixels &m_pixels;
+  bool m_oriented;
   double m_pixel;
-  double m_minLength;
-  double m_minContrast;
+  const vpTextureEdgeOptions &m_options;
   std::vector<vpTextureEdge> &m_edges;
 };
 
@@ -176,13 +191,12 @@ std::vector<vpTextureEdge> vpFindTextureEdges(const vpTrackedModel &model, const
   options.check();
   std::vector<vpTextureEdge> edges;
   const double pixel = model.diameter() / options.resolution;
-  const double minLength = options.minLength * model.diameter();
   for (const vpTextureChart &chart : vpMakeTextureCharts(model, options.minContrast)) {
     const vpChartImage image(model, chart, pixel);
     const vpEdgePixels pixels(image, weakest * options.minContrast);
-    EdgeFitter fitter(image, chart, pixel, minLength, options.minContrast, edges);
+    EdgeFitter fitter(image, pixels, chart.oriented, pixel, options, edges);
     for (const std::vector<int> &chain : pixels.chains()) {
-      fitter.add(pixels.pixels(), chain);
+      fitter.add(chain);
     }
   }
   std::stable_sort(edges.begin(), edges.end(),

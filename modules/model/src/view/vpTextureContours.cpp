@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "view/vpTextureContours.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,8 @@ namespace {
 const double leastFacing = 0.259;
 // Parallel edges nearer than this are mistaken for one another, pixels.
 const double apart = 6.;
+// Print nearer than this beside an edge moves the edge that a gradient filter finds, pixels.
+const double leastClearance = 5.;
 // Fewer control points in a row tell little.
 const int fewestPoints = 3;
 } // namespace
@@ -27,7 +31,26 @@ bool vpTextureContours::isSeen(const vpTextureEdge &edge) const
 {
   const Eigen::Vector3d toCamera = m_camera.oC - 0.5 * (edge.position[0] + edge.position[1]);
   const double facing = edge.normal.dot(toCamera) / toCamera.norm();
-  return (edge.oriented ? facing : std::fabs(facing)) > leastFacing;
+  return (edge.oriented ? facing : std::fabs(facing)) > leastFacing && clearance(edge) > leastClearance;
+}
+
+// Distance of the print beside an edge in the image, pixels.
+double vpTextureContours::clearance(const vpTextureEdge &edge) const
+{
+  const Eigen::Vector3d middle = 0.5 * (edge.position[0] + edge.position[1]);
+  const Eigen::Vector3d along = (edge.position[1] - edge.position[0]).normalized();
+  const Eigen::Vector3d cX = m_camera.toCamera(middle);
+  if (cX.z() < m_options.nearDistance) {
+    return 0.;
+  }
+  const auto motion = [&](const Eigen::Vector3d &direction) {
+    const Eigen::Vector3d d = m_camera.cRo * direction;
+    return Eigen::Vector2d(m_camera.px * (d.x() - d.z() * cX.x() / cX.z()) / cX.z(),
+                           m_camera.py * (d.y() - d.z() * cX.y() / cX.z()) / cX.z());
+  };
+  const Eigen::Vector2d beside = motion(edge.normal.cross(along) * edge.clearance);
+  const Eigen::Vector2d tangent = motion(along).normalized();
+  return std::fabs(beside.x() * tangent.y() - beside.y() * tangent.x());
 }
 
 void vpTextureContours::add(const std::vector<vpTextureEdge> &edges, int firstName, vpContourSampler &sampler)

@@ -38,6 +38,7 @@ public:
 
 private:
   bool isSeen(const vpTextureEdge &edge) const;
+  double clearance(const vpTextureEdge &edge) const;
   void keepUnambiguous(std::size_t firstContour);
   vpContour longestRun(const vpContour &contour) const;
 

@@ -13,7 +13,9 @@ struct vpTextureEdge
   Eigen::Vector3d normal;                  //!< Unit outward normal of the surface at its middle, object frame.
   double contrast = 0.;                    //!< Difference of both sides, gray levels, > 0; seen from outside, the
                                            //!< brighter side is on the left when going from the first end.
-  bool oriented = true;                    //!< True where the back of the surface can never be seen.
+  double clearance = 0.; //!< Distance to what else is printed beside it, metres; large ones are cut off. Edges whose
+                         //!< clearance is a few pixels in the image move there with the blur.
+  bool oriented = true;  //!< True where the back of the surface can never be seen.
 };
 
 /*! \ingroup group_model_geometry What counts as an edge of the texture. */
