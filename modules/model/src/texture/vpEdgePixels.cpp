@@ -14,7 +14,7 @@ const int radius = 3;
 const double sameDirection = 0.8;
 
 // Changes of less than this share of an edge's own do not count as print beside it.
-const double besideShare = 0.25;
+const double besideShare = 0.15;
 
 std::array<float, 2 * radius + 1> gaussian()
 {
@@ -98,14 +98,15 @@ void vpEdgePixels::differentiate()
   }
 }
 
-float vpEdgePixels::magnitude(double x, double y) const
+double vpEdgePixels::slope(const Eigen::Vector2d &place, const Eigen::Vector2d &direction) const
 {
-  const int left = static_cast<int>(x);
-  const int top = static_cast<int>(y);
-  const float a = static_cast<float>(x - left);
-  const float b = static_cast<float>(y - top);
-  return (1.F - b) * ((1.F - a) * m_magnitude[index(left, top)] + a * m_magnitude[index(left + 1, top)]) +
-         b * ((1.F - a) * m_magnitude[index(left, top + 1)] + a * m_magnitude[index(left + 1, top + 1)]);
+  const int left = static_cast<int>(place.x());
+  const int top = static_cast<int>(place.y());
+  const double a = place.x() - left;
+  const double b = place.y() - top;
+  const auto at = [&](int x, int y) { return m_gradient[index(x, y)].cast<double>().dot(direction); };
+  return (1. - b) * ((1. - a) * at(left, top) + a * at(left + 1, top)) +
+         b * ((1. - a) * at(left, top + 1) + a * at(left + 1, top + 1));
 }
 
 void vpEdgePixels::findMaxima(double minContrast)
@@ -119,13 +120,13 @@ void vpEdgePixels::findMaxima(double minContrast)
         continue;
       }
       const Eigen::Vector2d direction = m_gradient[index(x, y)].cast<double>() / here;
-      const double ahead = magnitude(x + direction.x(), y + direction.y());
-      const double behind = magnitude(x - direction.x(), y - direction.y());
+      const double ahead = slope(Eigen::Vector2d(x, y) + direction, direction);
+      const double behind = slope(Eigen::Vector2d(x, y) - direction, direction);
       // Beside the surface the gradient is not known, and a maximum there is none.
-      if (!(here > ahead && here >= behind && ahead > 0. && behind > 0.)) {
+      if (!(here > ahead && here >= behind) || ahead == 0. || behind == 0.) {
         continue;
       }
-      const double offset = 0.5 * (behind - ahead) / (behind - 2. * here + ahead);
+      const double offset = 0.5 * (ahead - behind) / (2. * here - behind - ahead);
       vpEdgePixel pixel;
       pixel.place = Eigen::Vector2d(x, y) + offset * direction;
       pixel.gradient = direction;
@@ -140,17 +141,22 @@ double vpEdgePixels::clearance(const vpEdgePixel &pixel, const Eigen::Vector2d &
 {
   const double own = pixel.contrast * gradientOfStep();
   double least = own;
-  for (double distance = 1.; distance < largest; distance += 1.) {
+  double before = own;
+  bool found = false;
+  for (double distance = 0.5; distance < largest; distance += 0.5) {
     const Eigen::Vector2d place = pixel.place + distance * towards;
     const bool inside = place.x() >= 0. && place.y() >= 0. && place.x() < m_width - 1. && place.y() < m_height - 1.;
     if (!inside) {
       break; // What is beyond the surface's border is the geometry's concern.
     }
-    const double here = magnitude(place.x(), place.y());
-    if (here > least + besideShare * own) {
-      return distance;
+    // With its sign: on the other side of a thin line it is opposite, and in between zero.
+    const double here = slope(place, pixel.gradient);
+    if (found && std::fabs(here) <= std::fabs(before)) {
+      return distance - 0.5;
     }
-    least = std::min(least, here);
+    found = found || here < -besideShare * own || here > least + besideShare * own;
+    least = std::min(least, std::max(here, 0.));
+    before = here;
   }
   return largest;
 }

@@ -25,7 +25,7 @@ public:
   vpEdgePixels(const vpChartImage &image, double minContrast);
 
   const std::vector<vpEdgePixel> &pixels() const { return m_pixels; }
-  //! How far from an edge pixel, across the edge, the gray level begins to change again; pixels, at most largest.
+  //! Distance across the edge to where the gray level changes again, pixels, at most largest.
   double clearance(const vpEdgePixel &pixel, double largest) const;
   //! Indices of pixels() that follow one another, those of one chain in order along it.
   std::vector<std::vector<int>> chains() const;
@@ -35,7 +35,8 @@ private:
   void differentiate();
   void findMaxima(double minContrast);
   double clearance(const vpEdgePixel &pixel, const Eigen::Vector2d &towards, double largest) const;
-  float magnitude(double x, double y) const;
+  //! Of the gray levels along a direction, between pixels.
+  double slope(const Eigen::Vector2d &place, const Eigen::Vector2d &direction) const;
   int next(int from, const Eigen::Vector2d &towards, const std::vector<char> &taken) const;
 
   std::size_t index(int x, int y) const

@@ -32,15 +32,47 @@ Key planeKey(const vpTrackedModel &model, const vpModelTriangle &triangle, const
   return {{-1, step(normal.x()), step(normal.y()), step(normal.z()), step(offset)}};
 }
 
-// The axis that a triangle of a curved face looks along most.
-Eigen::Vector3d mainAxis(const vpTrackedModel &model, const vpModelTriangle &triangle)
+// The charts of a curved face overlap, so that no edge is lost along their borders: each has what looks less than 60
+// degrees away from its axis. What is found twice falls together in a view, which keeps one of the two.
+const double leastAlongAxis = 0.5;
+
+Eigen::Vector3d normalOf(const vpTrackedModel &model, const vpModelTriangle &triangle)
 {
   const Eigen::Vector3d &a = corner(model, triangle, 0);
-  const Eigen::Vector3d n = (corner(model, triangle, 1) - a).cross(corner(model, triangle, 2) - a);
-  Eigen::Index axis = 0;
-  n.cwiseAbs().maxCoeff(&axis);
-  return (n[axis] < 0. ? -1. : 1.) * Eigen::Vector3d::Unit(axis);
+  return (corner(model, triangle, 1) - a).cross(corner(model, triangle, 2) - a).normalized();
 }
+
+//! Charts by what their triangles have in common, in the order in which they are met.
+class ChartTable
+{
+public:
+  void add(const Key &key, const Eigen::Vector3d &normal, int triangle, bool oriented)
+  {
+    const auto place = m_known.emplace(key, charts.size());
+    if (place.second) {
+      charts.emplace_back();
+      charts.back().normal = normal;
+    }
+    vpTextureChart &chart = charts[place.first->second];
+    chart.triangles.push_back(triangle);
+    chart.oriented = chart.oriented && oriented;
+  }
+
+  void addCurved(int face, const Eigen::Vector3d &normal, int triangle, bool oriented)
+  {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(normal[axis]) > leastAlongAxis) {
+        const int sign = normal[axis] < 0. ? -1 : 1;
+        add({{face, axis, sign, 0, 0}}, sign * Eigen::Vector3d::Unit(axis), triangle, oriented);
+      }
+    }
+  }
+
+  std::vector<vpTextureChart> charts;
+
+private:
+  std::map<Key, std::size_t> m_known;
+};
 
 float grayOf(const Eigen::Vector3f &color)
 {
@@ -69,32 +101,24 @@ bool hasContrast(const vpTrackedModel &model, const vpTextureChart &chart, doubl
 
 std::vector<vpTextureChart> vpMakeTextureCharts(const vpTrackedModel &model, double minContrast)
 {
-  std::vector<vpTextureChart> charts;
   if (model.appearance().color.empty() && model.appearance().images.empty()) {
-    return charts;
+    return {};
   }
-  std::map<Key, std::size_t> known;
+  ChartTable table;
   for (std::size_t t = 0; t < model.triangles().size(); ++t) {
     const vpModelTriangle &triangle = model.triangles()[t];
     const vpModelFace &face = model.faces()[static_cast<std::size_t>(triangle.face)];
-    const Eigen::Vector3d normal = face.planar ? face.normal : mainAxis(model, triangle);
-    const Key key =
-        face.planar
-            ? planeKey(model, triangle, normal)
-            : Key{{triangle.face, std::lround(normal.x()), std::lround(normal.y()), std::lround(normal.z()), 0}};
-    const auto place = known.emplace(key, charts.size());
-    if (place.second) {
-      charts.emplace_back();
-      charts.back().normal = normal;
+    if (face.planar) {
+      table.add(planeKey(model, triangle, face.normal), face.normal, static_cast<int>(t), face.oriented);
+    } else {
+      table.addCurved(triangle.face, normalOf(model, triangle), static_cast<int>(t), face.oriented);
     }
-    vpTextureChart &chart = charts[place.first->second];
-    chart.triangles.push_back(static_cast<int>(t));
-    chart.oriented = chart.oriented && face.oriented;
   }
+  std::vector<vpTextureChart> &charts = table.charts;
   charts.erase(std::remove_if(charts.begin(), charts.end(),
                               [&](const vpTextureChart &chart) { return !hasContrast(model, chart, minContrast); }),
                charts.end());
-  return charts;
+  return std::move(charts);
 }
 
 END_VISP_NAMESPACE

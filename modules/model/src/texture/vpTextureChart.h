@@ -14,7 +14,7 @@ struct vpTextureChart
   bool oriented = true;                             //!< As vpModelFace has it.
 };
 
-//! Coplanar triangles together, those of curved faces by the axis that they look along most; plain ones left out.
+//! Coplanar triangles together, those of curved faces by the axes that they look along; plain ones left out.
 //! \param minContrast Charts whose gray levels differ less are left out.
 std::vector<vpTextureChart> vpMakeTextureCharts(const vpTrackedModel &model, double minContrast);
 

@@ -15,7 +15,7 @@ const double leastFacing = 0.259;
 // Parallel edges nearer than this are mistaken for one another, pixels.
 const double apart = 6.;
 // Print nearer than this beside an edge moves the edge that a gradient filter finds, pixels.
-const double leastClearance = 5.;
+const double leastClearance = 4.;
 // Fewer control points in a row tell little.
 const int fewestPoints = 3;
 } // namespace
