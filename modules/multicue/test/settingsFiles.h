@@ -65,7 +65,7 @@ inline vpMultiCueSettings unusual()
   settings.view.farDistance = 1e3 / 3.;
   settings.view.border = 1. / 7.;
   settings.view.visibilitySize = 4000000000U;
-  settings.view.textureEdges = true;
+  settings.view.textureEdges = false;
   settings.klt = {321, 7, 0.1 / 3., 8. / 3., 0.1 / 7., 5, 2, 9};
   settings.useLod = true;
   settings.minLineLength = 100. / 3.;

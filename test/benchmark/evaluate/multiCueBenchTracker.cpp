@@ -39,6 +39,11 @@ const std::map<std::string, Preset> &presets()
          tracker.setTrackerType(Tracker::EDGE_TRACKER);
          tracker.setTextureEdges(true);
        }},
+      {"edge-geometry",
+       [](Tracker &tracker) {
+         tracker.setTrackerType(Tracker::EDGE_TRACKER);
+         tracker.setTextureEdges(false);
+       }},
       {"edge-mh", &useHypotheses},
       {"edge-mh-texture",
        [](Tracker &tracker) {

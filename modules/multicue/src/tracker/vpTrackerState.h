@@ -19,7 +19,11 @@ BEGIN_VISP_NAMESPACE
 class vpMbMultiCueTracker::Impl
 {
 public:
-  Impl() { updateMe(); }
+  Impl()
+  {
+    viewOptions.textureEdges = true;
+    updateMe();
+  }
 
   //! Lets getMovingEdge() say what the edge cue does.
   void updateMe();

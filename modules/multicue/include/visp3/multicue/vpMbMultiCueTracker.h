@@ -134,7 +134,7 @@ public:
   /*!
     Has strong edges of the model's texture or colours searched like those of its geometry ([P14] III-A). They are
     found when the first image is tracked, which then takes some tenths of a second more; an edge that the images
-    show too rarely is left out until the next start. Off by default, and without effect on models without texture.
+    show too rarely is left out until the next start. On by default, and without effect on models without texture.
   */
   void setTextureEdges(bool flag);
   bool getTextureEdges() const;

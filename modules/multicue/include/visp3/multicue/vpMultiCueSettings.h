@@ -25,6 +25,8 @@ struct VISP_EXPORT vpMultiCueSettings
   double minPolygonArea = 2500.; //!< With useLod: smallest face, square pixels, >= 0.
   bool clipToImage = false; //!< ViSP's fov_clipping; kept for vpMbTracker::getClipping(), lines are always clipped.
 
+  //! What a tracker starts with: edges of the texture are used.
+  vpMultiCueSettings() { view.textureEdges = true; }
   //! \throw vpException naming the first member out of range.
   void check() const;
 };
