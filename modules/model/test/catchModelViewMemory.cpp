@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
-#include "modelShapes.h"
+#include "texturedShapes.h"
 #include "viewChecks.h"
 
 #include <cstdlib>
@@ -98,6 +98,28 @@ TEST_CASE("Views from poses around one that was seen allocate nothing once the m
   }
   const long after = allocations;
   CHECK(after == before);
+}
+
+TEST_CASE("Views with edges of the texture allocate nothing once the memory has grown, and are the same again")
+{
+  vpTrackedModelBuilder builder;
+  texturedShapes::addPrintedBox(builder, Point(0.2, 0.2, 0.2),
+                                texturedShapes::printed(400, 400, 60, {{100, 300, 100, 300, 200}}));
+  Looker looker(builder.build("printed cube"));
+  looker.options.textureEdges = true;
+  const auto pose = [](int i) { return lookFrom(Point(1., 0.7, 1.2), 0.7 + 0.002 * i, 0.02 * i); };
+  const std::vector<vpControlPoint> first = looker.look(pose(0)).points();
+  for (int i = 0; i < 10; ++i) {
+    looker.look(pose(i));
+  }
+  REQUIRE(looker.view().textureEdgeOf(looker.points().back()) >= 0);
+  const long before = allocations;
+  for (int i = 9; i >= 0; --i) {
+    looker.look(pose(i));
+  }
+  const long after = allocations;
+  CHECK(after == before);
+  CHECK(same(looker.points(), first));
 }
 
 TEST_CASE("The same pose gives the same control points to the last bit")

@@ -66,6 +66,7 @@ const std::vector<Case> cases = {
     {"view", "farDistance", {"0", "10"}, {"-1"}},
     {"view", "border", {"0", "50"}, {"-1"}},
     {"view", "visibilitySize", {"16", "4294967295"}, {"15", "4294967296", "1000.0", "-16"}},
+    {"view", "textureEdges", {"true", "false"}, {"1", "\"true\""}},
     {"view", "clipToImage", {"true", "false"}, {"1", "\"true\""}},
     {"klt", "maxFeatures", {"1", "100000"}, {"0", "100001", "4294967297", "1.0"}},
     {"klt", "windowSize", {"3", "63"}, {"2", "64"}},

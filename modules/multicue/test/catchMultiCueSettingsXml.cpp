@@ -89,6 +89,7 @@ TEST_CASE("Every node comes where it belongs")
   keptOnly.hypotheses = unusual().hypotheses;
   keptOnly.view.border = unusual().view.border;
   keptOnly.view.visibilitySize = unusual().view.visibilitySize;
+  keptOnly.view.textureEdges = unusual().view.textureEdges;
   CHECK(readXml(everything, unusual()) == keptOnly);
 }
 

@@ -65,6 +65,7 @@ inline vpMultiCueSettings unusual()
   settings.view.farDistance = 1e3 / 3.;
   settings.view.border = 1. / 7.;
   settings.view.visibilitySize = 4000000000U;
+  settings.view.textureEdges = false;
   settings.klt = {321, 7, 0.1 / 3., 8. / 3., 0.1 / 7., 5, 2, 9};
   settings.useLod = true;
   settings.minLineLength = 100. / 3.;
@@ -97,7 +98,7 @@ inline bool operator==(const vpModelViewOptions &a, const vpModelViewOptions &b)
 {
   return a.sampleStep == b.sampleStep && a.appearAngle == b.appearAngle && a.disappearAngle == b.disappearAngle &&
          a.nearDistance == b.nearDistance && a.farDistance == b.farDistance && a.border == b.border &&
-         a.visibilitySize == b.visibilitySize;
+         a.visibilitySize == b.visibilitySize && a.textureEdges == b.textureEdges;
 }
 inline bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
 {

@@ -18,44 +18,54 @@ void setCandidates(vpMbMultiCueTracker &tracker, unsigned int candidates)
   tracker.setEdgeSettings(settings);
 }
 
+void useHypotheses(vpMbMultiCueTracker &tracker)
+{
+  tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER);
+  vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
+  settings.enabled = true;
+  tracker.setPoseHypothesisSettings(settings);
+  setCandidates(tracker, 5);
+}
+
+Preset cues(int type)
+{
+  return [type](vpMbMultiCueTracker &tracker) { tracker.setTrackerType(type); };
+}
+
 // What each preset changes in a tracker with default settings: a new preset is a line here.
 const std::map<std::string, Preset> &presets()
 {
   using Tracker = vpMbMultiCueTracker;
-  const int all = Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER | Tracker::KLT_TRACKER;
+  const int edge = Tracker::EDGE_TRACKER;
+  const int point = Tracker::KLT_TRACKER;
+  const int color = Tracker::COLOR_TRACKER;
+  const Preset predicting = [](Tracker &tracker) {
+    tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER | Tracker::KLT_TRACKER);
+    tracker.setPrediction(true);
+  };
   static const std::map<std::string, Preset> table = {
-      {"edge", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER); }},
-      {"edge-mh",
+      {"edge", cues(edge)},
+      {"edge-geometry",
        [](Tracker &tracker) {
          tracker.setTrackerType(Tracker::EDGE_TRACKER);
-         vpPoseHypothesisSettings settings = tracker.getPoseHypothesisSettings();
-         settings.enabled = true;
-         tracker.setPoseHypothesisSettings(settings);
-         setCandidates(tracker, 5);
+         tracker.setTextureEdges(false);
        }},
-      {"color", [](Tracker &tracker) { tracker.setTrackerType(Tracker::COLOR_TRACKER); }},
-      {"point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::KLT_TRACKER); }},
-      {"edge-point", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::KLT_TRACKER); }},
+      {"edge-mh", &useHypotheses},
+      {"edge-point", cues(edge | point)},
+      {"color", cues(color)},
+      {"point", cues(point)},
+      {"multicue", cues(edge | color | point)},
+      {"multicue-kalman", predicting},
       // [P14]'s ladder: C0 edges with one candidate, C1 several, NM with colours, C4 with points, C5 with prediction.
       {"c0",
        [](Tracker &tracker) {
          tracker.setTrackerType(Tracker::EDGE_TRACKER);
          setCandidates(tracker, 1);
        }},
-      {"c0-c1", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER); }},
-      {"nm", [](Tracker &tracker) { tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER); }},
-      {"nm-c4", [](Tracker &tracker) { tracker.setTrackerType(all); }},
-      {"nm-c4-c5",
-       [](Tracker &tracker) {
-         tracker.setTrackerType(all);
-         tracker.setPrediction(true);
-       }},
-      {"multicue", [](Tracker &tracker) { tracker.setTrackerType(all); }},
-      {"multicue-kalman",
-       [](Tracker &tracker) {
-         tracker.setTrackerType(all);
-         tracker.setPrediction(true);
-       }},
+      {"c0-c1", cues(edge)},
+      {"nm", cues(edge | color)},
+      {"nm-c4", cues(edge | color | point)},
+      {"nm-c4-c5", predicting},
   };
   return table;
 }

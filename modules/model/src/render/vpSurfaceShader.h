@@ -26,12 +26,14 @@ public:
   void shade(const vpHomogeneousMatrix &cMo, const vpCropCamera &camera, unsigned int channels,
              const std::vector<int> &triangles, vpRenderedView &view) const;
 
+  //! Unlit colour of a triangle. \param weights Shares of its corners, sum 1.
+  vpRGBa color(int triangle, const Eigen::Vector3d &weights) const;
+
 private:
   class Patch;
 
   void shadeSurface(const vpPoseMatrix &pose, const vpCropCamera &camera, const std::vector<int> &triangles,
                     vpRenderedView &view) const;
-  vpRGBa color(int triangle, const Eigen::Vector3d &weights) const;
 
   const vpTrackedModel *m_model;
 };

@@ -7,9 +7,11 @@
 #include "view/vpModelTopology.h"
 #include "view/vpRimTracer.h"
 #include "view/vpViewCamera.h"
+#include "view/vpTextureContours.h"
 
 #include <visp3/core/vpException.h>
 
+#include <algorithm>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
@@ -76,13 +78,24 @@ void vpModelViewOptions::check() const
 }
 
 vpModelView::vpModelView(const std::shared_ptr<const vpTrackedModel> &model)
-    : m_model(model), m_topology(std::make_shared<vpModelTopology>(*model))
+    : m_model(model), m_topology(std::make_shared<vpModelTopology>(*model)),
+      m_texture(std::make_shared<vpTextureSource>())
 {
 }
 
 int vpModelView::edgeNames() const
 {
-  return vpCurves::names(*m_model);
+  return vpCurves::names(*m_model) + (m_hasTextureEdges ? static_cast<int>(textureEdges().size()) : 0);
+}
+
+const std::vector<vpTextureEdge> &vpModelView::textureEdges() const
+{
+  return m_texture->edges(*m_model);
+}
+
+int vpModelView::textureEdgeOf(const vpControlPoint &point) const
+{
+  return std::max(point.edge - vpCurves::names(*m_model), -1);
 }
 
 // Looks into the depth buffer where the object's centre was when it was drawn.
@@ -132,6 +145,10 @@ void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParamete
   curves.addCircles(sampler);
   if (!m_model->smoothTriangles().empty()) {
     vpRimTracer(*this, *m_topology, camera).trace(sampler);
+  }
+  m_hasTextureEdges = options.textureEdges && !textureEdges().empty();
+  if (m_hasTextureEdges) {
+    vpTextureContours(*this, camera, options).add(textureEdges(), vpCurves::names(*m_model), sampler);
   }
   m_hasSlidingRims = !m_model->smoothTriangles().empty() || !m_model->cylinders().empty();
 }

@@ -165,6 +165,7 @@ const std::vector<Entry> &settingsTable()
       {"view", "border", ofView<&View::border>, between(0., infinite, " pixels")},
       {"view", "visibilitySize", ofView<&View::visibilitySize>,
        between(16., std::numeric_limits<unsigned int>::max(), " pixels")},
+      {"view", "textureEdges", ofView<&View::textureEdges>, {}},
       {"view", "clipToImage", &ofSettings<&Settings::clipToImage>, {}},
       {"klt", "maxFeatures", ofKlt<&Klt::maxFeatures>, between(1., 100000.)},
       {"klt", "windowSize", ofKlt<&Klt::windowSize>, between(3., 63., " pixels")},

@@ -160,6 +160,16 @@ void vpMbMultiCueTracker::setRenderer(vpModelRenderer::Preference preference)
   m_impl->makeRenderer();
 }
 
+void vpMbMultiCueTracker::setTextureEdges(bool flag)
+{
+  m_impl->viewOptions.textureEdges = flag;
+}
+
+bool vpMbMultiCueTracker::getTextureEdges() const
+{
+  return m_impl->viewOptions.textureEdges;
+}
+
 const vpModelViewOptions &vpMbMultiCueTracker::viewOptions() const
 {
   // vpMbTracker holds these, and its setters are not all virtual.
@@ -201,6 +211,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   m_impl->edges.setSettings(settings.edge);
   setPoseHypothesisSettings(settings.hypotheses);
   m_impl->viewOptions.sampleStep = settings.view.sampleStep;
+  m_impl->viewOptions.textureEdges = settings.view.textureEdges;
   m_impl->klt = settings.klt;
   m_impl->makeCues();
   m_impl->updateMe();

@@ -236,6 +236,7 @@ void vpMbMultiCueTracker::updateReferences()
     const vpCueFusion::Part &part = impl.fusion[i];
     if (part.type == EDGE_TRACKER) {
       impl.edges.updateReference(m_cMo, part.weights);
+      impl.textureSupport.update(impl.edges.matches(), part.weights, *impl.view, impl.viewOptions);
     } else if (part.type == COLOR_TRACKER) {
       impl.color.updateReference(m_cMo, part.weights);
     } else {

@@ -140,6 +140,7 @@ void vpMbMultiCueTracker::Impl::learnResidue()
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
   edges = vpEdgeCue(edges.settings());
+  textureSupport.reset(viewOptions);
   color.reset();
   usesPoints = true;
   usual = Agreement();

@@ -3,6 +3,7 @@
 #define vpTrackerState_h
 
 #include "tracker/vpCueFusion.h"
+#include "tracker/vpTextureSupport.h"
 
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
@@ -26,7 +27,11 @@ struct vpMbMultiCueTracker::Agreement
 class vpMbMultiCueTracker::Impl
 {
 public:
-  Impl() { updateMe(); }
+  Impl()
+  {
+    viewOptions.textureEdges = true;
+    updateMe();
+  }
 
   //! Lets getMovingEdge() say what the edge cue does.
   void updateMe();
@@ -96,6 +101,7 @@ public:
   // Image and features.
   vpFrameSource source;
   vpEdgeCue edges;
+  vpTextureSupport textureSupport;
   vpColorCue color;
   std::unique_ptr<vpPointCue> points; // Null where they are not asked for.
   bool usesPoints = true;             // False where they contradict the other cues in this frame.

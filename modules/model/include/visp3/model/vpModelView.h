@@ -3,6 +3,7 @@
 #define vpModelView_h
 
 #include <visp3/model/vpModelRenderer.h>
+#include <visp3/model/vpTextureEdges.h>
 
 BEGIN_VISP_NAMESPACE
 
@@ -25,7 +26,8 @@ struct vpControlPoint
   double side = 1.;      //!< 1 where normal is the image of direction turned from u towards v, else -1.
   int contour = -1;      //!< Index into vpModelView::contours().
   double arcLength = 0.; //!< Along the contour from its start, pixels.
-  int edge = -1;         //!< A number that names the model edge in every view, -1 on rims of curved meshes.
+  int edge = -1;         //!< A number that names the model edge in every view, -1 on rims of curved meshes; see
+                         //!< vpModelView::textureEdgeOf().
   double parameter = 0.; //!< Place along the model edge, [0, 1].
 };
 
@@ -58,6 +60,9 @@ struct VISP_EXPORT vpModelViewOptions
   unsigned int visibilitySize = 192; //!< Largest side of the depth buffer that hides edges, pixels, >= 16.
   bool allEdges = false;             //!< Edges of the faces that are turned away count as seen too.
   std::vector<vpFaceDetail> details; //!< Per face of the model; empty: every face in full detail.
+  bool textureEdges = false;         //!< Edges of the model's texture are control points, too; at most as many as those
+                                     //!< of its geometry.
+  std::vector<char> textureEdgesLeftOut; //!< Per edge of the texture: 1 where it is not to be used; empty: all are.
 
   //! \throw vpException naming the first member out of range.
   void check() const;
@@ -66,6 +71,7 @@ struct VISP_EXPORT vpModelViewOptions
 class vpModelTopology;
 class vpDepthProbe;
 struct vpViewCamera;
+class vpTextureSource;
 
 /*!
   \ingroup group_model_view
@@ -73,8 +79,9 @@ struct vpViewCamera;
 
   Straight edges, circles and cylinder limbs come from the model; the rims of curved faces are where the interpolated
   corner normals are perpendicular to the line of sight. All are clipped, sampled evenly in the image and kept where the
-  depth buffer does not hide them (a convex object needs no such buffer). Nothing is allocated once the memory of an
-  earlier call suffices. Copies share what is derived from the model.
+  depth buffer does not hide them (a convex object needs no such buffer). Edges of the texture come last, the best ones
+  first; what runs nearer than 6 pixels beside an edge before it is left out, as the two would be confused. Nothing is
+  allocated once the memory of an earlier call suffices. Copies share what is derived from the model.
 */
 class VISP_EXPORT vpModelView
 {
@@ -110,8 +117,13 @@ public:
   const std::vector<vpContour> &contours() const { return m_contours; }
   //! Per face of the model: 1 where it is seen, as far as its own orientation, size and place decide.
   const std::vector<char> &facesSeen() const { return m_facesSeen; }
-  //! Number of names that vpControlPoint::edge can have: straight edges, two limbs for each cylinder, circles.
+  //! Number of names that vpControlPoint::edge can have: straight edges, two limbs for each cylinder, circles, and the
+  //! edges of the texture where the last compute() used them.
   int edgeNames() const;
+  //! The edges of the texture; they are found when first asked for, here or by compute().
+  const std::vector<vpTextureEdge> &textureEdges() const;
+  //! Index into textureEdges(), -1 for a point of the geometry.
+  int textureEdgeOf(const vpControlPoint &point) const;
   //! True where a rim slides over a curved surface: the view then serves small motions only.
   bool hasSlidingRims() const { return m_hasSlidingRims; }
 
@@ -119,6 +131,7 @@ private:
   friend class vpContourSampler;
   friend class vpRimTracer;
   friend class vpCurves;
+  friend class vpTextureContours;
 
   // A straight bit of a curve, clipped to what the camera sees.
   struct Piece
@@ -141,6 +154,7 @@ private:
 
   std::shared_ptr<const vpTrackedModel> m_model;
   std::shared_ptr<const vpModelTopology> m_topology;
+  std::shared_ptr<vpTextureSource> m_texture;
   vpHomogeneousMatrix m_cMo;
   vpRenderedView m_depth;
   bool m_hasDepth = false;
@@ -151,7 +165,10 @@ private:
   std::vector<float> m_facing; // Of the smooth triangles' corners: negative towards the camera.
   std::vector<char> m_visited; // Smooth triangles that a rim was traced over.
   std::vector<Piece> m_pieces; // Of the curve being sampled.
+  std::vector<int> m_cells;    // Where control points are, see vpPointGrid.
+  std::vector<int> m_cellNext;
   bool m_hasSlidingRims = false;
+  bool m_hasTextureEdges = false;
 };
 
 END_VISP_NAMESPACE

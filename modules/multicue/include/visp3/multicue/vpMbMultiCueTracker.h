@@ -131,6 +131,13 @@ public:
   void setMovingEdge(const vpMe &me, vpEdgeCueSettings::ThresholdScale scale);
   void setEdgeSettings(const vpEdgeCueSettings &settings);
   vpEdgeCueSettings getEdgeSettings() const;
+  /*!
+    Has strong edges of the model's texture or colours searched like those of its geometry ([P14] III-A). They are
+    found when the first image is tracked, which then takes some tenths of a second more; an edge that the images
+    show too rarely is left out until the next start. On by default, and without effect on models without texture.
+  */
+  void setTextureEdges(bool flag);
+  bool getTextureEdges() const;
   //! Several poses for each image, see vpPoseHypotheses; with vpEdgeCueSettings::candidates above 1, best 5. Off by
   //! default. \throw vpException naming what is out of range.
   void setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings);

@@ -25,6 +25,8 @@ struct VISP_EXPORT vpMultiCueSettings
   double minPolygonArea = 2500.; //!< With useLod: smallest face, square pixels, >= 0.
   bool clipToImage = false; //!< ViSP's fov_clipping; kept for vpMbTracker::getClipping(), lines are always clipped.
 
+  //! What a tracker starts with: edges of the texture are used.
+  vpMultiCueSettings() { view.textureEdges = true; }
   //! \throw vpException naming the first member out of range.
   void check() const;
 };
@@ -46,7 +48,8 @@ struct VISP_EXPORT vpMultiCueSettings
   - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
   - edge: range, contrast, mu1, mu2, maskSize, candidates;
   - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, reach, seed;
-  - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, clipToImage;
+  - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, textureEdges,
+    clipToImage;
   - klt: maxFeatures, windowSize, quality, minDistance, harris, blockSize, pyramidLevels, maskBorder;
   - lod: use, minLineLength, minPolygonArea,
 
