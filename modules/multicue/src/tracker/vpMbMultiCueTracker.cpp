@@ -190,6 +190,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     printf("DBG %f %f %f %d\n", m_impl->agreement.edges, m_impl->agreement.color, m_impl->bestExplained, 0);
     fflush(stdout);
   }
+  updateCovariance();
   if (m_impl->state == vpTrackingState::LOST) {
     m_cMo = cMoBefore;
     m_impl->edges.reset();
@@ -267,6 +268,7 @@ void vpMbMultiCueTracker::judge(bool estimated)
   } else {
     impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
   }
+  impl.isJudged = true;
   impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";
 }
 

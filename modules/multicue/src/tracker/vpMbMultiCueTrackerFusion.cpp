@@ -7,8 +7,6 @@
 
 #include <visp3/core/vpException.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
@@ -253,14 +251,8 @@ void vpMbMultiCueTracker::updateMotion()
   if (!impl.predicts) {
     return;
   }
-  vpPoseMatrix6 information = impl.fusion.information();
-  const double z = std::max(m_cMo[2][3], 1e-9);
   const double translation = leastTranslation * impl.model->diameter();
-  // A prior as weak as the whole scene keeps unobserved motions finite.
-  information.diagonal().head<3>().array() += 1. / (z * z);
-  information.diagonal().tail<3>().array() += 1.;
-  vpPoseMatrix6 covariance = information.inverse();
-  covariance = 0.5 * (covariance + covariance.transpose()).eval();
+  vpPoseMatrix6 covariance = impl.uncertainty.covariance();
   covariance.diagonal().head<3>().array() += translation * translation;
   covariance.diagonal().tail<3>().array() += leastRotation * leastRotation;
   impl.kalman.update(m_cMo, covariance, impl.sinceUpdate);

@@ -2,7 +2,7 @@
 #ifndef vpTrackerState_h
 #define vpTrackerState_h
 
-#include "tracker/vpCueFusion.h"
+#include "tracker/vpPoseUncertainty.h"
 
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
@@ -62,6 +62,8 @@ public:
   //! Takes the best hypothesis of a trusted frame for what is usual.
   void learnResidue();
   bool uses(int cue) const { return (type & cue) != 0; }
+  //! Why a cue that was matched gave no equation.
+  std::string missingRows(int cue) const;
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
   int type = EDGE_TRACKER;
@@ -104,6 +106,7 @@ public:
 
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
+  vpPoseUncertainty uncertainty; // Of the last frame.
   vpPosePrior prior;
   vpResidualBlock block; // Scratch memory.
   Agreement agreement;   // At the pose that was judged last.
@@ -121,8 +124,6 @@ public:
   double mu = 0.;       // Of Levenberg and Marquardt.
   double lastStep = 0.; // Largest motion of a control point in the last iteration, pixels.
   double residual = 0.; // Root of the weighted mean square error.
-  vpColVector wTrue;    // For the covariance.
-  vpMatrix LTrue, LVJTrue;
   vpHomogeneousMatrix cMoBefore; // Of the last iteration.
 
   // Motion.
@@ -132,6 +133,7 @@ public:
   // Outcome.
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   std::string reason;
+  bool isJudged = false;     // An image was tracked since the start.
   unsigned int expected = 0; // Features that were searched for.
   unsigned int good = 0;     // That the robust estimation kept.
   vpTrackingTimings timings;

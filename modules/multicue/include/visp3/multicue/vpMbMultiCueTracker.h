@@ -162,6 +162,28 @@ public:
 
   /** @name Results */
   //@{
+  using vpMbTracker::getCovarianceMatrix;
+  /*!
+    Covariance of the pose's error as one cue alone knows it, at the pose of all of them ([P14] eq. 14).
+
+    The fused one is vpMbTracker::getCovarianceMatrix(). Both are computed by track() after
+    setCovarianceComputation(true), and in ViSP's parameters: the error of the translation of cMo (metres) and of its
+    theta-u vector (radians), 6 x 6. They hold for errors by the image's noise and by what of the model's inaccuracy is
+    seen in the errors that remain; what shifts all features alike, as a wrong focal length does, cannot be seen.
+    Motions that the cue does not show have the deviation of the object's distance (translations) and 1 radian (turns
+    about the object's centre), those that are kept fixed (setEstimatedDoF()) 0.
+
+    \param cue EDGE_TRACKER, KLT_TRACKER or COLOR_TRACKER.
+    \throw vpException with the reason of getCueReason() where the cue had no part in the last pose, or where
+    setCovarianceComputation() is off.
+  */
+  vpMatrix getCovarianceMatrix(int cue) const;
+  /*!
+    Why a cue had no part in the last pose: it drops out by itself where the image shows nothing of it.
+    \param cue EDGE_TRACKER, KLT_TRACKER or COLOR_TRACKER. \return Empty where it took part. \throw vpException for
+    other values.
+  */
+  std::string getCueReason(int cue) const;
   vpColVector getError() const override { return m_error; }
   vpColVector getRobustWeights() const override { return m_w; }
   //! Number of control points that were found in the last image and entered the pose.
@@ -256,6 +278,7 @@ private:
   void estimateByPoints(const vpCueFrame &frame);
   void updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near);
   void updateMotion();
+  void updateCovariance();
   bool estimate(const vpCueFrame &frame);
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
