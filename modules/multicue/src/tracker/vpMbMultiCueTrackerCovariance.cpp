@@ -116,7 +116,10 @@ vpMatrix vpMbMultiCueTracker::getCovarianceMatrix(int cue) const
     throw vpException(vpException::notInitialized, std::string(nameOf(cue)) + " has no covariance: " + reason);
   }
   const vpPoseMatrix6 T = toParameters(m_cMo);
-  const auto part = static_cast<std::size_t>(m_impl->fusion.find(cue) - &m_impl->fusion[0]);
+  std::size_t part = 0;
+  while (m_impl->fusion[part].type != cue) { // It is there: there is no reason against it.
+    ++part;
+  }
   return toVisp(T * m_impl->uncertainty.covariance(part) * T.transpose());
 }
 

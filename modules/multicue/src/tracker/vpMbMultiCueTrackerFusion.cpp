@@ -285,11 +285,6 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
   updateReferences();
 }
 
-void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo)
-{
-  setPose(I_color, cMo);
-}
-
 void vpMbMultiCueTracker::setColorSettings(const vpColorCueSettings &settings)
 {
   m_impl->color.setSettings(settings);

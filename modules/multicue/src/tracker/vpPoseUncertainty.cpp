@@ -74,15 +74,15 @@ void vpPoseUncertainty::spread(const vpCueFusion::Part &part, double fitted, Sha
 {
   m_pulls.clear();
   vpPoseTangent shift = vpPoseTangent::Zero();
+  vpPoseMatrix6 own = vpPoseMatrix6::Zero();
   double squares = 0.;
-  double sum = 0.;
   for (std::size_t i = 0; i < part.weights.size(); ++i) {
     const vpResidual &row = part.block.rows[i];
     const double w = part.weights[i] * row.weight;
     const double pull = w * w * row.error / part.scale;
     m_pulls.push_back(pull);
+    own.noalias() += (pull * pull / (part.scale * part.scale)) * row.jacobian * row.jacobian.transpose();
     shift += (w * w / (part.scale * part.scale)) * part.block.bias * row.jacobian;
-    sum += pull * pull;
     squares += w * w;
   }
   if (!(squares > 0.)) {
@@ -91,7 +91,9 @@ void vpPoseUncertainty::spread(const vpCueFusion::Part &part, double fitted, Sha
   const double together = correlatedRows();
   const double freeRows = std::max(squares / together - fitted, leastFreeRows) * together;
   const double least = leastDeviation * part.block.noise / part.scale;
-  share.spread *= together * std::max(sum / freeRows, least * least);
+  // Of what is seen better the errors are smaller: each row counts with its own, but none is taken for exact.
+  share.spread *= together * least * least;
+  share.spread += together * (squares / freeRows) * own;
   share.spread.noalias() += shift * shift.transpose();
 }
 

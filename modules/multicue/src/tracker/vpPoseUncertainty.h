@@ -13,8 +13,9 @@ BEGIN_VISP_NAMESPACE
   weight that the minimisation gave them, G by the variance that their errors have. The two differ, because the
   minimisation does not believe errors below vpResidualBlock::noise, and because neighbours on a contour are wrong
   together. Three things are measured on the errors of the frame itself:
-  - their variance, with a robust estimator's correction for what its weights cut off (Huber, "Robust regression:
-    asymptotics, conjectures and Monte Carlo", 1973);
+  - the variance of each row, by its own error (White, "A heteroskedasticity-consistent covariance matrix estimator",
+    1980), for contrast and texture differ from place to place; with a robust estimator's correction for what its
+  weights cut off (Huber, "Robust regression: asymptotics, conjectures and Monte Carlo", 1973);
   - the rows that the fit used up, a share of 6 for each cue;
   - how many rows count as one: 1 + 2 (rho_1 + rho_2 + ...), rho_k being the correlation of rows that are k apart, as
     far as it is above its own noise.

@@ -87,9 +87,22 @@ public:
     outside the image; the pose before stays.
   */
   void init(const vpImage<unsigned char> &I) override;
+  using vpMbTracker::initClick;
+  using vpMbTracker::initFromPoints;
   using vpMbTracker::initFromPose;
-  //! As vpMbTracker's, and learns the colours that the image shows there.
+  /** @name Starts on colour images: as vpMbTracker's, and the colours that the image shows there are learnt. */
+  //@{
+  void initClick(const vpImage<vpRGBa> &I_color, const std::string &initFile, bool displayHelp = false,
+                 const vpHomogeneousMatrix &T = vpHomogeneousMatrix()) override;
+  void initClick(const vpImage<vpRGBa> &I_color, const std::vector<vpPoint> &points3D_list,
+                 const std::string &displayFile = "") override;
+  void initFromPoints(const vpImage<vpRGBa> &I_color, const std::string &initFile) override;
+  void initFromPoints(const vpImage<vpRGBa> &I_color, const std::vector<vpImagePoint> &points2D_list,
+                      const std::vector<vpPoint> &points3D_list) override;
+  void initFromPose(const vpImage<vpRGBa> &I_color, const std::string &initFile) override;
   void initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo) override;
+  void initFromPose(const vpImage<vpRGBa> &I_color, const vpPoseVector &cPo) override;
+  //@}
   //! Moves the tracker to another pose, as init() does.
   void setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo) override;
   void setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo) override;
