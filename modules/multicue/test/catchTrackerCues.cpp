@@ -120,6 +120,23 @@ TEST_CASE("Images that show nothing leave a finite pose, and tracking goes on af
   CHECK(error(tracker.getPose(), poseAt(0)) < 0.004);
 }
 
+TEST_CASE("The search range of the prediction leaves the user's range as it is", "[tracker]")
+{
+  renderedBox box;
+  vpMbMultiCueTracker tracker;
+  prepare(tracker, edge | color);
+  tracker.setPrediction(true);
+  tracker.setPredictedRange(true);
+  const double range = tracker.getEdgeSettings().range;
+  tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
+  for (int i = 1; i < 6; ++i) {
+    tracker.track(colorImage(box, poseAt(i)));
+    CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+    CHECK(error(tracker.getPose(), poseAt(i)) < 0.004);
+    CHECK(tracker.getEdgeSettings().range == range);
+  }
+}
+
 TEST_CASE("Wrong types and times are named and change nothing", "[tracker]")
 {
   vpMbMultiCueTracker tracker;

@@ -46,8 +46,11 @@ void vpMbMultiCueTracker::predict()
 {
   Impl &impl = *m_impl;
   impl.sinceUpdate += impl.frameInterval;
+  impl.predictedRange = 0.;
   if (impl.predicts && impl.kalman.isStarted()) {
-    m_cMo = impl.kalman.predict(impl.sinceUpdate).cMo;
+    const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
+    m_cMo = expected.cMo;
+    predictRange(expected.covariance);
   }
   impl.expectedPose = m_cMo;
 }
@@ -185,7 +188,7 @@ bool vpMbMultiCueTracker::refineFused(const vpCueFrame &frame)
     {
       const vpStopwatch stage(impl.timings.match);
       if (impl.uses(EDGE_TRACKER)) {
-        impl.edges.match(frame, *impl.view);
+        matchEdges(frame);
       }
       if (impl.uses(COLOR_TRACKER)) {
         const unsigned int coarse = static_cast<unsigned int>(impl.color.settings().scales.size());

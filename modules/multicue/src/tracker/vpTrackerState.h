@@ -74,6 +74,7 @@ public:
   vpModelRenderer::Preference preference = vpModelRenderer::AUTOMATIC;
   double goodRatio = 0.4;
   bool throwOnLoss = false;
+  bool rangeIsPredicted = false;
   bool predicts = false;           // With the Kalman filter.
   double frameInterval = 1. / 30.; // Seconds.
   bool displayHypotheses = false;
@@ -121,14 +122,15 @@ public:
   vpMatrix LTL;
   vpColVector LTR;
   vpColVector velocity;
-  double mu = 0.;       // Of Levenberg and Marquardt.
-  double lastStep = 0.; // Largest motion of a control point in the last iteration, pixels.
-  double residual = 0.; // Root of the weighted mean square error.
+  double mu = 0.;                // Of Levenberg and Marquardt.
+  double lastStep = 0.;          // Largest motion of a control point in the last iteration, pixels.
+  double residual = 0.;          // Root of the weighted mean square error.
   vpHomogeneousMatrix cMoBefore; // Of the last iteration.
 
   // Motion.
   vpPoseKalmanFilter kalman;
-  double sinceUpdate = 0.; // Of the filter, seconds.
+  double sinceUpdate = 0.;    // Of the filter, seconds.
+  double predictedRange = 0.; // Of the edges' search, pixels; 0: as it is set.
 
   // Outcome.
   vpTrackingState state = vpTrackingState::UNCERTAIN;
