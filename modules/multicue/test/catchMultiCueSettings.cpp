@@ -76,6 +76,25 @@ const std::vector<Case> cases = {
     {"klt", "blockSize", {"1", "63"}, {"0", "64"}},
     {"klt", "pyramidLevels", {"1", "10"}, {"0", "11"}},
     {"klt", "maskBorder", {"0", "100"}, {"-1", "101"}},
+    {"color", "spacing", {"1", "100"}, {"0.99", "100.01"}},
+    {"color", "lines", {"10", "5000"}, {"9", "5001", "10.0"}},
+    {"color", "scales", {"[]", "[20,1]"}, {"[0]", "[21,1]", "3", "[1.5]", "[\"a\"]"}},
+    {"color", "bands", {"[20,0.5]", "[1]"}, {"[0.49]", "[20.01]", "1.5"}},
+    {"color", "length", {"3", "60"}, {"2.99", "60.01"}},
+    {"color", "alpha", {"1e-9", "1"}, {"0", "1.01"}},
+    {"color", "regularisation", {"1", "100"}, {"0.99", "100.01"}},
+    {"color", "contourDeviation", {"0.05", "5"}, {"0.049", "5.01"}},
+    {"color", "histogramLength", {"3", "60"}, {"2.99", "60.01"}},
+    {"color", "learningRate", {"0", "1"}, {"-0.01", "1.01"}},
+    {"color", "rows", {"\"lines\"", "\"pixels\""}, {"\"columns\"", "0"}},
+    {"prediction", "enabled", {"true", "false"}, {"1"}},
+    {"prediction", "frameInterval", {"1e-9", "10"}, {"0", "-1"}},
+    {"prediction", "translationWander", {"1e-9", "10"}, {"0", "-1"}},
+    {"prediction", "rotationWander", {"1e-9", "10"}, {"0", "-1"}},
+    {"prediction", "startTranslation", {"1e-9", "10"}, {"0", "-1"}},
+    {"prediction", "startRotation", {"1e-9", "10"}, {"0", "-1"}},
+    {"prediction", "longestGap", {"1e-9", "10"}, {"0", "-1"}},
+    {"prediction", "smooth", {"true", "false"}, {"\"yes\""}},
     {"lod", "use", {"true", "false"}, {"0"}},
     {"lod", "minLineLength", {"0", "50"}, {"-1"}},
     {"lod", "minPolygonArea", {"0", "50"}, {"-1"}},
@@ -144,7 +163,7 @@ TEST_CASE("The cases above are all keys that there are")
   vpMultiCueSettingsReader::write(folder.path("all.json"), unusual());
   const std::string text = settingsFiles::textOf(folder.path("all.json"));
   const auto colons = static_cast<std::size_t>(std::count(text.begin(), text.end(), ':'));
-  CHECK(colons == cases.size() + 6); // Five objects.
+  CHECK(colons == cases.size() + 8 + 1); // Eight objects, and the cues.
 }
 
 TEST_CASE("Values come where they belong")
@@ -160,6 +179,28 @@ TEST_CASE("Values come where they belong")
   expected.klt.maxFeatures = 200;
   expected.useLod = true;
   CHECK(settings == expected);
+}
+
+TEST_CASE("Cues are a list of names")
+{
+  CHECK(readJson(R"({"cues": ["edge"]})", unusual()).cues == 1);
+  CHECK(readJson(R"({"cues": ["point", "edge"]})").cues == 3);
+  CHECK(readJson(R"({"cues": ["edge", "color", "point"]})").cues == 19);
+  for (const std::string value : {"[]", R"(["edges"])", R"("edge")", "3", R"([1])", "{}"}) {
+    CHECK_THAT(refusedJson("{\"cues\": " + value + "}"),
+               ContainsSubstring("settings.json") && ContainsSubstring("cues is " + value + ", it must be a list of") &&
+                   ContainsSubstring("edge, color, point"));
+  }
+  vpMultiCueSettings settings;
+  settings.cues = 4;
+  CHECK_THAT(messageOf([&] { settings.check(); }), ContainsSubstring("cues is 4"));
+}
+
+TEST_CASE("Levels of the colours fall")
+{
+  CHECK_THAT(refusedJson(R"({"color": {"bands": [1, 2]}})"),
+             ContainsSubstring("settings.json") && ContainsSubstring("bands is 2"));
+  CHECK_THAT(refusedJson(R"({"color": {"bands": []}})"), ContainsSubstring("bands"));
 }
 
 TEST_CASE("What the JSON file does not say keeps its default")
@@ -195,8 +236,9 @@ TEST_CASE("What was written is read again to the last digit, whatever the defaul
 
 TEST_CASE("What is not known is named, with what is")
 {
-  CHECK_THAT(refusedJson(R"({"edges": {}})"), ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
-                                                  ContainsSubstring("camera, edge, hypotheses, view, klt, lod"));
+  CHECK_THAT(refusedJson(R"({"edges": {}})"),
+             ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
+                 ContainsSubstring("cues, camera, edge, hypotheses, view, klt, color, prediction, lod"));
   CHECK_THAT(refusedJson(R"({"edge": {"Range": 3}})"),
              ContainsSubstring("'Range' is not known in 'edge'") &&
                  ContainsSubstring("range, contrast, mu1, mu2, maskSize, candidates"));

@@ -87,6 +87,11 @@ TEST_CASE("Every node comes where it belongs")
   vpMultiCueSettings keptOnly = everythingRead();
   keptOnly.edge.candidates = unusual().edge.candidates;
   keptOnly.hypotheses = unusual().hypotheses;
+  keptOnly.cues = unusual().cues;
+  keptOnly.color = unusual().color;
+  keptOnly.predicts = unusual().predicts;
+  keptOnly.prediction = unusual().prediction;
+  keptOnly.frameInterval = unusual().frameInterval;
   keptOnly.view.border = unusual().view.border;
   keptOnly.view.visibilitySize = unusual().view.visibilitySize;
   keptOnly.view.textureEdges = unusual().view.textureEdges;

@@ -6,6 +6,7 @@
 #include <meshFiles.h>
 
 #include <visp3/core/vpExponentialMap.h>
+#include <visp3/core/vpMeterPixelConversion.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include <algorithm>
@@ -119,6 +120,23 @@ TEST_CASE("Images that show nothing leave a finite pose, and tracking goes on af
   CHECK(error(tracker.getPose(), poseAt(0)) < 0.004);
 }
 
+TEST_CASE("The search range of the prediction leaves the user's range as it is", "[tracker]")
+{
+  renderedBox box;
+  vpMbMultiCueTracker tracker;
+  prepare(tracker, edge | color);
+  tracker.setPrediction(true);
+  tracker.setPredictedRange(true);
+  const double range = tracker.getEdgeSettings().range;
+  tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
+  for (int i = 1; i < 6; ++i) {
+    tracker.track(colorImage(box, poseAt(i)));
+    CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+    CHECK(error(tracker.getPose(), poseAt(i)) < 0.004);
+    CHECK(tracker.getEdgeSettings().range == range);
+  }
+}
+
 TEST_CASE("Wrong types and times are named and change nothing", "[tracker]")
 {
   vpMbMultiCueTracker tracker;
@@ -133,4 +151,40 @@ TEST_CASE("Wrong types and times are named and change nothing", "[tracker]")
   settings.alpha = -1.;
   CHECK_THROWS_AS(tracker.setColorSettings(settings), vpException);
   CHECK(tracker.getColorSettings().alpha > 0.);
+}
+
+TEST_CASE("A start from points or a file on a colour image learns its colours, as a start from a pose does",
+          "[tracker]")
+{
+  renderedBox box;
+  const vpImage<vpRGBa> first = colorImage(box, poseAt(0));
+  const vpImage<vpRGBa> second = colorImage(box, poseAt(1));
+  std::vector<vpPoint> points;
+  std::vector<vpImagePoint> pixels;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d half = 0.5 * renderedBox::size();
+    vpPoint point((i & 1) ? half.x() : -half.x(), (i & 2) ? half.y() : -half.y(), (i & 4) ? half.z() : -half.z());
+    point.track(poseAt(0));
+    double u = 0., v = 0.;
+    vpMeterPixelConversion::convertPoint(renderedBox::camera(), point.get_x(), point.get_y(), u, v);
+    points.push_back(point);
+    pixels.emplace_back(v, u);
+  }
+  vpMbMultiCueTracker tracker, other;
+  prepare(tracker, edge | color);
+  prepare(other, edge | color);
+  const auto checkStart = [&] {
+    other.initFromPose(first, vpHomogeneousMatrix(tracker.getPose()));
+    tracker.track(second);
+    other.track(second);
+    CHECK(error(tracker.getPose(), poseAt(1)) < 0.004);
+    const vpHomogeneousMatrix a = tracker.getPose();
+    const vpHomogeneousMatrix b = other.getPose();
+    CHECK(std::equal(a.data, a.data + 16, b.data));
+  };
+  tracker.initFromPoints(first, pixels, points);
+  CHECK(error(tracker.getPose(), poseAt(0)) < 1e-4);
+  checkStart();
+  tracker.initFromPose(first, vpPoseVector(poseAt(0)));
+  checkStart();
 }

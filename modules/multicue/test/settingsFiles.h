@@ -67,6 +67,21 @@ inline vpMultiCueSettings unusual()
   settings.view.visibilitySize = 4000000000U;
   settings.view.textureEdges = false;
   settings.klt = {321, 7, 0.1 / 3., 8. / 3., 0.1 / 7., 5, 2, 9};
+  settings.cues = 18;
+  settings.color.spacing = 10. / 3.;
+  settings.color.lines = 123;
+  settings.color.scales = {9, 4};
+  settings.color.bands = {20. / 3., 5. / 3., 2. / 3.};
+  settings.color.length = 22. / 3.;
+  settings.color.alpha = 1. / 3.;
+  settings.color.regularisation = 23. / 3.;
+  settings.color.contourDeviation = 1. / 7.;
+  settings.color.histogramLength = 50. / 3.;
+  settings.color.learningRate = 1. / 7.;
+  settings.color.rows = vpColorCueSettings::PIXELS;
+  settings.predicts = true;
+  settings.prediction = {1. / 3., 2. / 3., 4. / 3., 5. / 3., 7. / 3., false};
+  settings.frameInterval = 1. / 70.;
   settings.useLod = true;
   settings.minLineLength = 100. / 3.;
   settings.minPolygonArea = 1000. / 7.;
@@ -106,11 +121,25 @@ inline bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
          a.get_u0() == b.get_u0() && a.get_v0() == b.get_v0() && a.get_kud() == b.get_kud() &&
          a.get_kdu() == b.get_kdu();
 }
+inline bool operator==(const vpColorCueSettings &a, const vpColorCueSettings &b)
+{
+  return a.spacing == b.spacing && a.lines == b.lines && a.scales == b.scales && a.bands == b.bands &&
+         a.length == b.length && a.alpha == b.alpha && a.regularisation == b.regularisation &&
+         a.contourDeviation == b.contourDeviation && a.histogramLength == b.histogramLength &&
+         a.learningRate == b.learningRate && a.rows == b.rows;
+}
+inline bool operator==(const vpPoseKalmanSettings &a, const vpPoseKalmanSettings &b)
+{
+  return a.translationWander == b.translationWander && a.rotationWander == b.rotationWander &&
+         a.startTranslation == b.startTranslation && a.startRotation == b.startRotation &&
+         a.longestGap == b.longestGap && a.smooth == b.smooth;
+}
 inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
 {
   return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses && a.view == b.view &&
-         a.klt == b.klt && a.useLod == b.useLod && a.minLineLength == b.minLineLength &&
-         a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
+         a.klt == b.klt && a.cues == b.cues && a.color == b.color && a.predicts == b.predicts &&
+         a.prediction == b.prediction && a.frameInterval == b.frameInterval && a.useLod == b.useLod &&
+         a.minLineLength == b.minLineLength && a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
 }
 END_VISP_NAMESPACE
 

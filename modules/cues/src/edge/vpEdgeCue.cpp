@@ -15,6 +15,8 @@ namespace {
 const int binsPerEdge = 64;
 // What an edge's place in the image is uncertain by even where all is well, pixels.
 const double edgeNoise = 0.5;
+// What the search may place all edges too far out or in by, as the pixels' squares and the mask make it, pixels.
+const double edgeBias = 0.05;
 // Rows with less robust weight are called outliers and teach nothing.
 const double outlierWeight = 0.1;
 
@@ -176,6 +178,7 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block
 {
   block.rows.clear();
   block.noise = edgeNoise / m_camera.get_px();
+  block.bias = edgeBias / m_camera.get_px();
   const vpLineProjector project(cMo);
   for (const Match &match : m_matches) {
     if (match.count > 0) {
@@ -193,6 +196,7 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, const std::vector<int>
   }
   block.rows.clear();
   block.noise = edgeNoise / m_camera.get_px();
+  block.bias = edgeBias / m_camera.get_px();
   const vpLineProjector project(cMo);
   for (std::size_t i = 0; i < m_matches.size(); ++i) {
     if (m_matches[i].count > 0 && choices[i] != NO_ROW) {

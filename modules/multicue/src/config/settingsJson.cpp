@@ -89,20 +89,102 @@ bool assign(const Json &json, const Range &range, std::optional<double> &value)
   return assign(json, range, value.emplace());
 }
 
+template <typename Value> bool assign(const Json &json, const Range &range, std::vector<Value> &values)
+{
+  if (!json.is_array()) {
+    return false;
+  }
+  values.assign(json.size(), Value());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!assign(json[i], range, values[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<int> meaning(const Json &json, const Words &words)
+{
+  for (const auto &[name, value] : words) {
+    if (json == name) {
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
+bool assign(const Json &json, const Range &, vpColorCueSettings::Rows &rows)
+{
+  const std::optional<int> value = meaning(json, rowWords());
+  rows = value ? static_cast<vpColorCueSettings::Rows>(*value) : rows;
+  return value.has_value();
+}
+
+bool assign(const Json &json, const Range &, CueSum &cues)
+{
+  cues.sum = 0;
+  for (const Json &one : json.is_array() ? json : Json::array()) {
+    const std::optional<int> value = meaning(one, cueWords());
+    if (!value) {
+      return false;
+    }
+    cues.sum |= *value;
+  }
+  return cues.sum != 0;
+}
+
+Json toJson(const std::optional<double> &value)
+{
+  return *value;
+}
+
+Json toJson(vpColorCueSettings::Rows rows)
+{
+  for (const auto &[name, value] : rowWords()) {
+    if (value == rows) {
+      return name;
+    }
+  }
+  return nullptr;
+}
+
+Json toJson(const CueSum &cues)
+{
+  Json names = Json::array();
+  for (const auto &[name, value] : cueWords()) {
+    if ((cues.sum & value) != 0) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+template <typename Value> Json toJson(const Value &value)
+{
+  return value;
+}
+
+void readValue(const std::string &file, const Entry &entry, const Json &given, Draft &draft)
+{
+  if (!std::visit([&](auto at) { return assign(given, entry.range, at(draft)); }, entry.place)) {
+    refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe());
+  }
+}
+
 void readObject(const std::string &file, const std::string &object, const Json &json, Draft &draft)
 {
   requireKnown(file, "as an object", object, objectNames());
+  if (keysOf(object) == std::vector<std::string>{""}) {
+    readValue(file, settingsEntry(object), json, draft);
+    return;
+  }
   if (!json.is_object()) {
     refuse(file, "'" + object + "' is " + json.dump() + ", it must be an object {...} with any of the keys " +
                      listText(keysOf(object)));
   }
   for (const auto &[key, value] : json.items()) {
     requireKnown(file, "in '" + object + "'", key, keysOf(object));
-    const Entry entry = settingsEntry(object + '.' + key);
-    const Json &given = value;
-    if (!std::visit([&](auto at) { return assign(given, entry.range, at(draft)); }, entry.place)) {
-      refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe());
-    }
+    readValue(file, settingsEntry(object + '.' + key), value, draft);
   }
 }
 } // namespace
@@ -127,17 +209,9 @@ std::string jsonText(const vpMultiCueSettings &settings)
   Draft draft(settings);
   Json json = Json::object();
   for (const Entry &entry : settingsTable()) {
-    if (entry.value(draft)) {
-      Json &place = json[entry.object][entry.key];
-      std::visit(
-          [&](auto at) {
-            if constexpr (std::is_same_v<decltype(at(draft)), std::optional<double> &>) {
-              place = *at(draft);
-            } else {
-              place = at(draft);
-            }
-          },
-          entry.place);
+    if (entry.isSet(draft)) {
+      Json &place = *entry.key == '\0' ? json[entry.object] : json[entry.object][entry.key];
+      std::visit([&](auto at) { place = toJson(at(draft)); }, entry.place);
     }
   }
   return json.dump(2) + '\n';

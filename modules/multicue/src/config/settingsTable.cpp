@@ -4,6 +4,7 @@
 #include "config/settingsText.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,13 @@ template <auto Member> constexpr auto ofEdge = &ofPart<&vpMultiCueSettings::edge
 template <auto Member> constexpr auto ofHypotheses = &ofPart<&vpMultiCueSettings::hypotheses, Member>;
 template <auto Member> constexpr auto ofView = &ofPart<&vpMultiCueSettings::view, Member>;
 template <auto Member> constexpr auto ofKlt = &ofPart<&vpMultiCueSettings::klt, Member>;
+template <auto Member> constexpr auto ofColor = &ofPart<&vpMultiCueSettings::color, Member>;
+template <auto Member> constexpr auto ofPrediction = &ofPart<&vpMultiCueSettings::prediction, Member>;
+
+CueSum &ofCues(Draft &draft)
+{
+  return draft.cues;
+}
 
 Range between(double low, double high, const char *unit = "")
 {
@@ -72,13 +80,15 @@ bool CameraParts::operator==(const CameraParts &other) const
   return std::tie(px, py, u0, v0, kud, kdu) == std::tie(other.px, other.py, other.u0, other.v0, other.kud, other.kdu);
 }
 
-Draft::Draft(const vpMultiCueSettings &settings) : members(settings), camera(CameraParts::of(settings.camera))
+Draft::Draft(const vpMultiCueSettings &settings)
+    : members(settings), camera(CameraParts::of(settings.camera)), cues{settings.cues}
 {
 }
 
 vpMultiCueSettings Draft::settings() const
 {
   vpMultiCueSettings settings = members;
+  settings.cues = cues.sum;
   if (!(camera == CameraParts::of(members.camera))) {
     settings.camera = camera.camera();
   }
@@ -104,30 +114,84 @@ std::string Range::describe(const std::string &noun) const
 
 std::string Entry::name() const
 {
-  return std::string(object) + '.' + key;
+  return *key == '\0' ? std::string(object) : std::string(object) + '.' + key;
 }
 
-std::optional<double> Entry::value(Draft &draft) const
+namespace {
+template <typename Value> struct IsList : std::false_type
+{
+};
+template <typename Value> struct IsList<std::vector<Value>> : std::true_type
+{
+};
+} // namespace
+
+std::vector<double> Entry::values(Draft &draft) const
 {
   return std::visit(
-      [&](auto at) -> std::optional<double> {
-        if constexpr (std::is_same_v<decltype(at(draft)), std::optional<double> &>) {
-          return at(draft);
+      [&](auto at) -> std::vector<double> {
+        using Value = std::decay_t<decltype(at(draft))>;
+        if constexpr (std::is_same_v<Value, std::optional<double>>) {
+          return at(draft) ? std::vector<double>{*at(draft)} : std::vector<double>();
+        } else if constexpr (IsList<Value>::value) {
+          return std::vector<double>(at(draft).begin(), at(draft).end());
+        } else if constexpr (std::is_arithmetic_v<Value>) {
+          return {static_cast<double>(at(draft))};
         } else {
-          return static_cast<double>(at(draft));
+          return {};
         }
       },
       place);
 }
 
+bool Entry::isSet(Draft &draft) const
+{
+  const auto *optional = std::get_if<std::optional<double> &(*)(Draft &)>(&place);
+  return optional == nullptr || (*optional)(draft).has_value();
+}
+
 std::string Entry::describe() const
 {
-  if (std::holds_alternative<bool &(*)(Draft &)>(place)) {
-    return "true or false";
+  return std::visit(
+      [&](auto at) -> std::string {
+        using Value = std::decay_t<decltype(at(std::declval<Draft &>()))>;
+        if constexpr (std::is_same_v<Value, bool>) {
+          return "true or false";
+        } else if constexpr (std::is_same_v<Value, vpColorCueSettings::Rows>) {
+          return "one of " + listText(namesOf(rowWords()));
+        } else if constexpr (std::is_same_v<Value, CueSum>) {
+          return "a list of one or more of " + listText(namesOf(cueWords()));
+        } else if constexpr (IsList<Value>::value) {
+          return "a list [...], each " +
+                 range.describe(std::is_integral_v<typename Value::value_type> ? "whole number" : "number");
+        } else {
+          return range.describe(std::is_integral_v<Value> ? "whole number" : "number");
+        }
+      },
+      place);
+}
+
+const Words &rowWords()
+{
+  static const Words words = {{"lines", vpColorCueSettings::LINES}, {"pixels", vpColorCueSettings::PIXELS}};
+  return words;
+}
+
+const Words &cueWords()
+{
+  static const Words words = {{"edge", vpMbMultiCueTracker::EDGE_TRACKER},
+                              {"color", vpMbMultiCueTracker::COLOR_TRACKER},
+                              {"point", vpMbMultiCueTracker::KLT_TRACKER}};
+  return words;
+}
+
+std::vector<std::string> namesOf(const Words &words)
+{
+  std::vector<std::string> names;
+  for (const auto &[name, value] : words) {
+    names.emplace_back(name);
   }
-  const bool whole =
-      std::holds_alternative<int &(*)(Draft &)>(place) || std::holds_alternative<unsigned int &(*)(Draft &)>(place);
-  return range.describe(whole ? "whole number" : "number");
+  return names;
 }
 
 const std::vector<Entry> &settingsTable()
@@ -137,7 +201,10 @@ const std::vector<Entry> &settingsTable()
   using Hypotheses = vpPoseHypothesisSettings;
   using View = vpModelViewOptions;
   using Klt = vpPointCueSettings;
+  using Color = vpColorCueSettings;
+  using Prediction = vpPoseKalmanSettings;
   static const std::vector<Entry> table = {
+      {"cues", "", &ofCues, {}},
       {"camera", "px", &ofCamera<&CameraParts::px>, above(0., infinite, " pixels")},
       {"camera", "py", &ofCamera<&CameraParts::py>, above(0., infinite, " pixels")},
       {"camera", "u0", &ofCamera<&CameraParts::u0>, {}},
@@ -175,6 +242,25 @@ const std::vector<Entry> &settingsTable()
       {"klt", "blockSize", ofKlt<&Klt::blockSize>, between(1., 63., " pixels")},
       {"klt", "pyramidLevels", ofKlt<&Klt::pyramidLevels>, between(1., 10.)},
       {"klt", "maskBorder", ofKlt<&Klt::maskBorder>, between(0., 100., " pixels")},
+      {"color", "spacing", ofColor<&Color::spacing>, between(1., 100., " pixels")},
+      {"color", "lines", ofColor<&Color::lines>, between(10., 5000.)},
+      {"color", "scales", ofColor<&Color::scales>, between(1., 20., " pixels")},
+      {"color", "bands", ofColor<&Color::bands>, between(0.5, 20., " pixels")},
+      {"color", "length", ofColor<&Color::length>, between(3., 60., " pixels")},
+      {"color", "alpha", ofColor<&Color::alpha>, above(0., 1.)},
+      {"color", "regularisation", ofColor<&Color::regularisation>, between(1., 100., " gray levels")},
+      {"color", "contourDeviation", ofColor<&Color::contourDeviation>, between(0.05, 5., " pixels")},
+      {"color", "histogramLength", ofColor<&Color::histogramLength>, between(3., 60., " pixels")},
+      {"color", "learningRate", ofColor<&Color::learningRate>, between(0., 1.)},
+      {"color", "rows", ofColor<&Color::rows>, {}},
+      {"prediction", "enabled", &ofSettings<&Settings::predicts>, {}},
+      {"prediction", "frameInterval", &ofSettings<&Settings::frameInterval>, above(0., infinite, " seconds")},
+      {"prediction", "translationWander", ofPrediction<&Prediction::translationWander>, above(0.)},
+      {"prediction", "rotationWander", ofPrediction<&Prediction::rotationWander>, above(0.)},
+      {"prediction", "startTranslation", ofPrediction<&Prediction::startTranslation>, above(0., infinite, " m/s")},
+      {"prediction", "startRotation", ofPrediction<&Prediction::startRotation>, above(0., infinite, " rad/s")},
+      {"prediction", "longestGap", ofPrediction<&Prediction::longestGap>, above(0., infinite, " seconds")},
+      {"prediction", "smooth", ofPrediction<&Prediction::smooth>, {}},
       {"lod", "use", &ofSettings<&Settings::useLod>, {}},
       {"lod", "minLineLength", &ofSettings<&Settings::minLineLength>, between(0., infinite, " pixels")},
       {"lod", "minPolygonArea", &ofSettings<&Settings::minPolygonArea>, between(0., infinite, " square pixels")}};

@@ -24,6 +24,12 @@ struct CameraParts
   std::optional<double> kud, kdu; // None of both: a camera without distortion.
 };
 
+//! A sum of cues, which files write as a list of names.
+struct CueSum
+{
+  int sum;
+};
+
 //! Settings of which every single value can be set.
 struct Draft
 {
@@ -33,6 +39,7 @@ struct Draft
 
   vpMultiCueSettings members;
   CameraParts camera;
+  CueSum cues;
 };
 
 //! The values that a setting can have.
@@ -49,21 +56,32 @@ struct Range
 };
 
 //! A function for each type that a setting can have, which gives its place in a draft.
-using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), int &(*)(Draft &),
-                           unsigned int &(*)(Draft &), bool &(*)(Draft &)>;
+using Place =
+    std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), int &(*)(Draft &),
+                 unsigned int &(*)(Draft &), bool &(*)(Draft &), std::vector<unsigned int> &(*)(Draft &),
+                 std::vector<double> &(*)(Draft &), vpColorCueSettings::Rows &(*)(Draft &), CueSum &(*)(Draft &)>;
+
+//! The words for a value that is one of several or, for CueSum, a sum of them.
+using Words = std::vector<std::pair<const char *, int>>;
+const Words &rowWords();
+const Words &cueWords();
+std::vector<std::string> namesOf(const Words &words);
 
 //! One setting: the name it has in a file, where it is kept, and what it can be.
 struct Entry
 {
   const char *object;
-  const char *key;
+  const char *key; //!< Empty where the value stands for the object.
   Place place;
   Range range;
 
   //! \return For instance "edge.range".
   std::string name() const;
-  //! \return Its value, false and true as 0 and 1; none for a distortion that the camera does not have.
-  std::optional<double> value(Draft &draft) const;
+  //! \return Its values, false and true as 0 and 1, those of a list in a row; none for a distortion that the camera
+  //! does not have, and for words.
+  std::vector<double> values(Draft &draft) const;
+  //! \return False for a distortion that the camera does not have.
+  bool isSet(Draft &draft) const;
   //! \return What is to be written for it, for instance "true or false".
   std::string describe() const;
 };

@@ -5,6 +5,7 @@
 #include "config/settingsText.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/multicue/vpMbMultiCueTracker.h>
 
 BEGIN_VISP_NAMESPACE
 using namespace vpSettingsDetail;
@@ -18,15 +19,26 @@ void vpMultiCueSettings::check() const
   }
   Draft draft(*this);
   for (const Entry &entry : settingsTable()) {
-    const std::optional<double> value = entry.value(draft);
-    if (value && !entry.range.contains(*value)) {
-      throw vpException(vpException::badValue, "vpMultiCueSettings: " + entry.name() + " is " + numberText(*value) +
-                                                   ", it must be " + entry.describe());
+    for (const double value : entry.values(draft)) {
+      if (!entry.range.contains(value)) {
+        throw vpException(vpException::badValue, "vpMultiCueSettings: " + entry.name() + " is " + numberText(value) +
+                                                     ", it must be " + entry.describe());
+      }
     }
+  }
+  const int known =
+      vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER | vpMbMultiCueTracker::COLOR_TRACKER;
+  if (cues <= 0 || (cues & ~known) != 0) {
+    throw vpException(vpException::badValue,
+                      "vpMultiCueSettings::cues is %d, it must be a sum of vpMbMultiCueTracker::EDGE_TRACKER (1), "
+                      "KLT_TRACKER (2) and COLOR_TRACKER (16)",
+                      cues);
   }
   // What members have to do with each other.
   edge.check();
   hypotheses.check();
+  color.check();
+  prediction.check();
   view.check();
 }
 

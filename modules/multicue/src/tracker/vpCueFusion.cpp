@@ -13,6 +13,7 @@ void vpCueFusion::add(int type, const vpPoseCue &cue)
   part.cue = &cue;
   part.block.rows.clear();
   part.weights.clear();
+  part.scale = 0.;
 }
 
 unsigned int vpCueFusion::cueRows() const
@@ -69,7 +70,6 @@ void vpCueFusion::evaluate(const vpHomogeneousMatrix &cMo, vpColVector &error, v
 
 void vpCueFusion::weigh(const Weigh &weigh, vpColVector &error, vpMatrix &L, vpColVector &w)
 {
-  m_information.setZero();
   double reference = 0.;
   unsigned int k = 0;
   for (std::size_t i = 0; i < m_count; ++i) {
@@ -79,17 +79,16 @@ void vpCueFusion::weigh(const Weigh &weigh, vpColVector &error, vpMatrix &L, vpC
     }
     weigh(memory.robust, memory.error, memory.w);
     const double scale = memory.robust.getMedianAbsoluteDeviation();
+    memory.part.scale = scale;
     reference = reference > 0. ? reference : scale;
     const double factor = reference / scale;
     unsigned int own = 0;
-    for (const vpResidual &row : memory.part.block.rows) {
+    for (std::size_t row = 0; row < memory.part.block.rows.size(); ++row) {
       w[k] = memory.w[own++];
       error[k] *= factor;
       for (unsigned int j = 0; j < 6; ++j) {
         L[k][j] *= factor;
       }
-      const Eigen::Matrix<double, 6, 1> whitened = row.jacobian / scale;
-      m_information.noalias() += w[k] * row.weight * whitened * whitened.transpose();
       ++k;
     }
   }

@@ -31,6 +31,7 @@ public:
     const vpPoseCue *cue = nullptr;
     vpResidualBlock block;
     std::vector<double> weights; //!< Robust weights of the block's rows.
+    double scale = 0.;           //!< That its errors were divided by.
   };
   //! ViSP's robust weights of a cue's errors.
   using Weigh = std::function<void(vpRobust &robust, const vpColVector &error, vpColVector &w)>;
@@ -61,6 +62,7 @@ public:
   const Part &operator[](std::size_t i) const { return m_parts[i].part; }
   //! \return The part of a type, null where it takes no part.
   const Part *find(int type) const;
+  const vpPosePrior &prior() const { return m_prior; }
   //! \return Every row. \param use Called with each of them.
   template <typename Use> void forEachRow(const Use &use) const
   {
@@ -73,9 +75,6 @@ public:
       use(m_priorRows[i]);
     }
   }
-  //! Inverse covariance of the pose's error in the camera's frame, from the last weigh(): each row has unit variance.
-  //! Of the cues alone.
-  const Eigen::Matrix<double, 6, 6> &information() const { return m_information; }
 
 private:
   struct Memory // Is used again from frame to frame.
@@ -90,7 +89,6 @@ private:
   std::size_t m_count = 0;
   vpPosePrior m_prior;
   std::array<vpResidual, vpPosePrior::rows> m_priorRows;
-  Eigen::Matrix<double, 6, 6> m_information = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
 END_VISP_NAMESPACE

@@ -189,6 +189,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     impl.edges.reset();
     judge(estimate(frame));
   }
+  updateCovariance();
   if (impl.state == vpTrackingState::LOST) {
     m_cMo = impl.mayCoast() ? impl.expectedPose : cMoBefore;
     impl.edges.reset();
@@ -282,6 +283,7 @@ void vpMbMultiCueTracker::judge(bool estimated)
   if (impl.type != EDGE_TRACKER && impl.state != vpTrackingState::LOST) {
     impl.state = impl.stateOf(impl.bestExplained);
   }
+  impl.isJudged = true;
   impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";
 }
 

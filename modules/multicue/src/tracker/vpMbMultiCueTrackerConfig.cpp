@@ -190,6 +190,11 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   settings.hypotheses = m_impl->hypotheses.settings();
   settings.view = viewOptions();
   settings.klt = m_impl->klt;
+  settings.cues = m_impl->type;
+  settings.color = m_impl->color.settings();
+  settings.predicts = m_impl->predicts;
+  settings.prediction = m_impl->kalman.settings();
+  settings.frameInterval = m_impl->frameInterval;
   settings.useLod = useLodGeneral;
   settings.minLineLength = minLineLengthThresholdGeneral;
   settings.minPolygonArea = minPolygonAreaThresholdGeneral;
@@ -213,7 +218,10 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   m_impl->viewOptions.sampleStep = settings.view.sampleStep;
   m_impl->viewOptions.textureEdges = settings.view.textureEdges;
   m_impl->klt = settings.klt;
-  m_impl->makeCues();
+  setTrackerType(settings.cues);
+  setColorSettings(settings.color);
+  setPrediction(settings.predicts, settings.prediction);
+  setFrameInterval(settings.frameInterval);
   m_impl->updateMe();
   angleAppears = vpMath::rad(settings.view.appearAngle);
   angleDisappears = vpMath::rad(settings.view.disappearAngle);

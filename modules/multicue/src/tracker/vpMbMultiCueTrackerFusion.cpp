@@ -7,8 +7,6 @@
 
 #include <visp3/core/vpException.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
@@ -51,8 +49,11 @@ void vpMbMultiCueTracker::predict()
 {
   Impl &impl = *m_impl;
   impl.sinceUpdate += impl.frameInterval;
+  impl.predictedRange = 0.;
   if (impl.predicts && impl.kalman.isStarted()) {
-    m_cMo = impl.kalman.predict(impl.sinceUpdate).cMo;
+    const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
+    m_cMo = expected.cMo;
+    predictRange(expected.covariance);
   }
   impl.expectedPose = m_cMo;
 }
@@ -202,7 +203,7 @@ bool vpMbMultiCueTracker::refineFused(const vpCueFrame &frame)
     {
       const vpStopwatch stage(impl.timings.match);
       if (impl.uses(EDGE_TRACKER)) {
-        impl.edges.match(frame, *impl.view);
+        matchEdges(frame);
       }
       if (impl.uses(COLOR_TRACKER)) {
         const unsigned int coarse = static_cast<unsigned int>(impl.color.settings().scales.size());
@@ -268,14 +269,8 @@ void vpMbMultiCueTracker::updateMotion()
   if (!impl.predicts) {
     return;
   }
-  vpPoseMatrix6 information = impl.fusion.information();
-  const double z = std::max(m_cMo[2][3], 1e-9);
   const double translation = leastTranslation * impl.model->diameter();
-  // A prior as weak as the whole scene keeps unobserved motions finite.
-  information.diagonal().head<3>().array() += 1. / (z * z);
-  information.diagonal().tail<3>().array() += 1.;
-  vpPoseMatrix6 covariance = information.inverse();
-  covariance = 0.5 * (covariance + covariance.transpose()).eval();
+  vpPoseMatrix6 covariance = impl.uncertainty.covariance();
   covariance.diagonal().head<3>().array() += translation * translation;
   covariance.diagonal().tail<3>().array() += leastRotation * leastRotation;
   impl.kalman.update(m_cMo, covariance, impl.sinceUpdate);
@@ -306,11 +301,6 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
   trusted = 1.;
   impl.fusion.keepWeights(trusted);
   updateReferences();
-}
-
-void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo)
-{
-  setPose(I_color, cMo);
 }
 
 void vpMbMultiCueTracker::setColorSettings(const vpColorCueSettings &settings)

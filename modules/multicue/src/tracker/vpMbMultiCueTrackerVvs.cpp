@@ -8,7 +8,6 @@
 
 #include <visp3/core/vpExponentialMap.h>
 #include <visp3/core/vpTrackingException.h>
-#include <visp3/core/vpVelocityTwistMatrix.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -93,15 +92,6 @@ void vpMbMultiCueTracker::computeStep(unsigned int iteration, bool allDegreesOfF
   impl.fusion.weigh(
       [this](vpRobust &robust, const vpColVector &error, vpColVector &w) { computeVVSWeights(robust, error, w); },
       m_error, m_L, m_w);
-  if (computeCovariance) {
-    impl.LTrue = m_L;
-    if (!allDegreesOfFreedom) {
-      vpVelocityTwistMatrix cVo;
-      cVo.buildFrom(m_cMo);
-      impl.LVJTrue = m_L * (cVo * oJo);
-    }
-    impl.wTrue = m_w;
-  }
   double squares = 0.;
   double sum = 0.;
   unsigned int i = 0;
@@ -152,7 +142,6 @@ bool vpMbMultiCueTracker::computeVVS()
       }
       residualBefore = impl.residual;
     }
-    computeCovarianceMatrixVVS(all, impl.wTrue, impl.cMoBefore, impl.LTrue, impl.LVJTrue, m_error);
   } catch (const vpTrackingException &) {
     m_cMo = impl.cMoBefore; // Levenberg and Marquardt's damping ran away: the best pose so far is the answer.
   }

@@ -150,6 +150,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   }
   kalman.reset();
   fusion.clear();
+  isJudged = false;
   hypotheses.clear();
   otherHypotheses.clear();
   draws = 0;

@@ -3,6 +3,7 @@
 #define vpTrackerState_h
 
 #include "tracker/vpCueFusion.h"
+#include "tracker/vpPoseUncertainty.h"
 #include "tracker/vpTextureSupport.h"
 
 #include <visp3/cues/vpColorCue.h>
@@ -73,6 +74,8 @@ public:
   //! True where the prediction is still better than the last pose, for an object that is not seen.
   bool mayCoast() const { return predicts && kalman.isStarted() && sinceUpdate < longestCoast; }
   bool uses(int cue) const { return (type & cue) != 0; }
+  //! Why a cue that was matched gave no equation.
+  std::string missingRows(int cue) const;
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
   int type = EDGE_TRACKER;
@@ -83,6 +86,7 @@ public:
   vpModelRenderer::Preference preference = vpModelRenderer::AUTOMATIC;
   double goodRatio = 0.4;
   bool throwOnLoss = false;
+  bool rangeIsPredicted = false;
   bool predicts = false;           // With the Kalman filter.
   double frameInterval = 1. / 30.; // Seconds.
   bool displayHypotheses = false;
@@ -116,6 +120,7 @@ public:
 
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
+  vpPoseUncertainty uncertainty; // Of the last frame.
   vpPosePrior prior;
   vpResidualBlock block; // Scratch memory.
   Agreement agreement;   // At the pose that was judged last.
@@ -131,20 +136,20 @@ public:
   vpMatrix LTL;
   vpColVector LTR;
   vpColVector velocity;
-  double mu = 0.;       // Of Levenberg and Marquardt.
-  double lastStep = 0.; // Largest motion of a control point in the last iteration, pixels.
-  double residual = 0.; // Root of the weighted mean square error.
-  vpColVector wTrue;    // For the covariance.
-  vpMatrix LTrue, LVJTrue;
+  double mu = 0.;                // Of Levenberg and Marquardt.
+  double lastStep = 0.;          // Largest motion of a control point in the last iteration, pixels.
+  double residual = 0.;          // Root of the weighted mean square error.
   vpHomogeneousMatrix cMoBefore; // Of the last iteration.
 
   // Motion.
   vpPoseKalmanFilter kalman;
-  double sinceUpdate = 0.; // Of the filter, seconds.
+  double sinceUpdate = 0.;    // Of the filter, seconds.
+  double predictedRange = 0.; // Of the edges' search, pixels; 0: as it is set.
 
   // Outcome.
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   std::string reason;
+  bool isJudged = false;     // An image was tracked since the start.
   unsigned int expected = 0; // Features that were searched for.
   unsigned int good = 0;     // That the robust estimation kept.
   vpTrackingTimings timings;

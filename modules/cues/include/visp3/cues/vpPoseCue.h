@@ -27,6 +27,7 @@ struct vpResidual
 struct vpResidualBlock
 {
   std::vector<vpResidual> rows;
+  double bias = 0.; //!< Standard deviation of what all errors may be shifted by alike: no number of rows averages it.
   double noise =
       0.; //!< Standard deviation of error that the image's noise alone explains; robust scales do not go below it.
 };
