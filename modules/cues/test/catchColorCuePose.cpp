@@ -111,3 +111,24 @@ TEST_CASE("the same images give the same numbers", "[color-pose]")
     CHECK(found[0].data[i] == found[1].data[i]);
   }
 }
+
+TEST_CASE("evidence is high where the contour is, and low elsewhere", "[color-pose]")
+{
+  vpColorCue cue;
+  Scene scene(makeBox());
+  vpFrameSource source;
+  const vpImage<vpRGBa> I = scene.draw(start());
+  const vpCueFrame frame = source.frame(I, makeCamera(), nullptr);
+  learn(cue, scene, frame, start());
+  const auto evidence = [&](double pixels) {
+    cue.setLevel(1);
+    cue.match(frame, scene.look(off(start(), pixels, 0.8)));
+    return cue.evidence();
+  };
+  CHECK(evidence(0.) > 0.8);
+  CHECK(evidence(30.) < 0.4);
+  cue.setLevel(cue.levels());
+  cue.match(frame, scene.look(start()));
+  CHECK(cue.evidenceAt(start()) > 0.8);
+  CHECK(cue.evidenceAt(off(start(), 10., 0.8)) < 0.5);
+}

@@ -4,6 +4,7 @@
 #include "modelShapes.h"
 #include "viewChecks.h"
 
+#include <algorithm>
 #include <string>
 
 using namespace modelShapes;
@@ -213,4 +214,36 @@ TEST_CASE("A view knows its pose, and its depth where it had to draw it")
   Looker box(build(boxPolygons(Point(0.1, 0.1, 0.1))));
   box.look(vpHomogeneousMatrix(0., 0., 0.5, 0.4, 0.2, 0.1));
   CHECK(box.view().depth() == nullptr); // Nothing of it can hide anything.
+}
+
+TEST_CASE("A depth buffer serves near poses", "[view]")
+{
+  for (const std::string &name : {std::string("letter L"), std::string("letter L as a mesh"), std::string("window")}) {
+    const std::shared_ptr<const vpTrackedModel> model = std::make_shared<const vpTrackedModel>(shape(name));
+    vpCpuRenderer renderer(model);
+    const vpCameraParameters cam(600., 600., 319.5, 239.5);
+    const vpHomogeneousMatrix cMo(-0.04, -0.03, 0.45, 0.5, 0.4, 0.3);
+    // Some 3 pixels to the side and nearer, and turned a bit.
+    const vpHomogeneousMatrix moved = vpHomogeneousMatrix(0.002, -0.001, -0.002, 0., 0., 0.) * cMo *
+                                      vpHomogeneousMatrix(0., 0., 0., 0.003, -0.003, 0.003);
+    vpModelView kept(model);
+    kept.compute(cMo, cam, 640, 480, vpModelViewOptions(), &renderer);
+    kept.compute(moved, cam, 640, 480, vpModelViewOptions(), &renderer, true);
+    vpModelView drawn(model);
+    drawn.compute(moved, cam, 640, 480, vpModelViewOptions(), &renderer);
+    const auto missing = [](const vpModelView &from, const vpModelView &in) {
+      return static_cast<double>(
+          std::count_if(from.points().begin(), from.points().end(), [&](const vpControlPoint &a) {
+            return std::none_of(in.points().begin(), in.points().end(), [&](const vpControlPoint &b) {
+              return (a.pixel - b.pixel).norm() < 2.5 && a.kind == b.kind; // Half a step, and a bit.
+            });
+          }));
+    };
+    INFO(name << ": " << missing(drawn, kept) << " of " << drawn.points().size() << " are missing, "
+              << missing(kept, drawn) << " of " << kept.points().size() << " too many");
+    CHECK(drawn.points().size() > 50);
+    CHECK(missing(drawn, kept) < 0.05 * static_cast<double>(drawn.points().size()));
+    CHECK(missing(kept, drawn) < 0.05 * static_cast<double>(kept.points().size()));
+    CHECK(kept.depthPose() != drawn.depthPose());
+  }
 }

@@ -107,6 +107,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
   if (impl.bestIsLast) {
     impl.bestExplained = value;
     impl.bestPose = m_cMo;
+    impl.bestUsesPoints = impl.usesPoints;
   }
   return impl.bestExplained >= wellExplained;
 }
@@ -148,8 +149,10 @@ void vpMbMultiCueTracker::tryTurns(const vpCueFrame &frame)
         vpRotationMatrix(vpThetaUVector(axis == 0 ? angle : 0., axis == 1 ? angle : 0., axis == 2 ? angle : 0.)) *
             cMb.getRotationMatrix());
     m_cMo = turned * oMb.inverse();
-    estimateCoarse(frame);
-    impl.usesPoints = false;
+    updateView(frame, m_cMo, 0.);
+    if (impl.uses(COLOR_TRACKER)) {
+      estimateByCoarseColors(frame);
+    }
     if (takeAttempt(refineFused(frame))) {
       return;
     }
@@ -171,7 +174,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   }
   if (!impl.bestIsLast) {
     m_cMo = impl.bestPose;
-    impl.usesPoints = false;
+    impl.usesPoints = impl.bestUsesPoints;
     if (!refineFused(frame)) {
       return false;
     }

@@ -129,6 +129,7 @@ public:
   static constexpr double longestCoast = 0.5; // Seconds.
   vpHomogeneousMatrix bestPose;               // Of the attempts in this frame.
   bool bestIsLast = false;
+  bool bestUsesPoints = false;
   vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.
   std::array<double, 2> surprise = {0., 0.}; // Mean squared distance from it, in diameters and radians.
   vpColVector weightedError;
