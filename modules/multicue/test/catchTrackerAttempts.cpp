@@ -87,7 +87,7 @@ TEST_CASE("Points of what passes before the object do not take the pose along", 
 TEST_CASE("Turns between two frames are found by starting elsewhere", "[tracker]")
 {
   renderedBox box;
-  for (const double angle : {-0.45, 0.45}) {
+  for (const double angle : {-0.7, -0.6, 0.6, 0.7}) {
     for (int axis = 0; axis < 3; ++axis) {
       vpMbMultiCueTracker tracker;
       prepare(tracker);
