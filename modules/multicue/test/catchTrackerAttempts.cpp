@@ -14,17 +14,6 @@ namespace {
 const int all =
     vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER | vpMbMultiCueTracker::COLOR_TRACKER;
 
-vpImage<vpRGBa> colorImage(renderedBox &box, const vpHomogeneousMatrix &cMo)
-{
-  const vpImage<unsigned char> gray = box.draw(cMo);
-  vpImage<vpRGBa> I(gray.getHeight(), gray.getWidth());
-  for (unsigned int i = 0; i < I.getSize(); ++i) {
-    const unsigned char g = gray.bitmap[i];
-    I.bitmap[i] = vpRGBa(g, static_cast<unsigned char>(255 - g), 90);
-  }
-  return I;
-}
-
 // A speckled board in front of the object, full of corners.
 void hide(vpImage<vpRGBa> &I, int left, int width)
 {
@@ -68,12 +57,12 @@ TEST_CASE("Points of what passes before the object do not take the pose along", 
   for (const int first : {250, 330}) {
     vpMbMultiCueTracker tracker;
     prepare(tracker);
-    vpImage<vpRGBa> I = colorImage(box, renderedBox::pose());
+    vpImage<vpRGBa> I = box.drawColor(renderedBox::pose());
     hide(I, first, 60); // At the start already.
     tracker.initFromPose(I, renderedBox::pose());
     double worst = 0.;
     for (int i = 1; i <= 12; ++i) {
-      I = colorImage(box, renderedBox::pose());
+      I = box.drawColor(renderedBox::pose());
       hide(I, first + (first < 300 ? 5 : -5) * i, 60);
       tracker.track(I);
       worst = std::max(worst, error(tracker.getPose(), renderedBox::pose()));
@@ -91,15 +80,15 @@ TEST_CASE("Turns between two frames are found by starting elsewhere", "[tracker]
     for (int axis = 0; axis < 3; ++axis) {
       vpMbMultiCueTracker tracker;
       prepare(tracker);
-      tracker.initFromPose(colorImage(box, renderedBox::pose()), renderedBox::pose());
+      tracker.initFromPose(box.drawColor(renderedBox::pose()), renderedBox::pose());
       for (int i = 0; i < 3; ++i) {
-        tracker.track(colorImage(box, renderedBox::pose()));
+        tracker.track(box.drawColor(renderedBox::pose()));
       }
       const vpHomogeneousMatrix turned =
           renderedBox::pose() *
           vpHomogeneousMatrix(0., 0., 0., axis == 0 ? angle : 0., axis == 1 ? angle : 0., axis == 2 ? angle : 0.);
-      tracker.track(colorImage(box, turned));
-      tracker.track(colorImage(box, turned));
+      tracker.track(box.drawColor(turned));
+      tracker.track(box.drawColor(turned));
       INFO("axis " << axis << " by " << angle << ": off by " << turnOff(tracker.getPose(), turned) << " degrees");
       CHECK(turnOff(tracker.getPose(), turned) < 1.);
       CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
@@ -112,9 +101,9 @@ TEST_CASE("A wrong pose is not called TRACKING, nor learnt from", "[tracker]")
   renderedBox box;
   vpMbMultiCueTracker tracker;
   prepare(tracker);
-  tracker.initFromPose(colorImage(box, renderedBox::pose()), renderedBox::pose());
+  tracker.initFromPose(box.drawColor(renderedBox::pose()), renderedBox::pose());
   for (int i = 0; i < 3; ++i) {
-    tracker.track(colorImage(box, renderedBox::pose()));
+    tracker.track(box.drawColor(renderedBox::pose()));
   }
   // It has gone, and something else is there.
   vpImage<vpRGBa> I(renderedBox::height, renderedBox::width, vpRGBa(25, 230, 90));
@@ -125,8 +114,8 @@ TEST_CASE("A wrong pose is not called TRACKING, nor learnt from", "[tracker]")
   }
   // It is back where it was.
   for (int i = 0; i < 2; ++i) {
-    tracker.setPose(colorImage(box, renderedBox::pose()), renderedBox::pose());
-    tracker.track(colorImage(box, renderedBox::pose()));
+    tracker.setPose(box.drawColor(renderedBox::pose()), renderedBox::pose());
+    tracker.track(box.drawColor(renderedBox::pose()));
   }
   CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
   CHECK(error(tracker.getPose(), renderedBox::pose()) < 0.004);

@@ -30,18 +30,6 @@ vpHomogeneousMatrix poseAt(int frame)
   return renderedBox::pose() * vpExponentialMap::direct(motion);
 }
 
-// The gray levels of the sides as colours.
-vpImage<vpRGBa> colorImage(renderedBox &box, const vpHomogeneousMatrix &cMo)
-{
-  const vpImage<unsigned char> gray = box.draw(cMo);
-  vpImage<vpRGBa> I(gray.getHeight(), gray.getWidth());
-  for (unsigned int i = 0; i < I.getSize(); ++i) {
-    const unsigned char g = gray.bitmap[i];
-    I.bitmap[i] = vpRGBa(g, static_cast<unsigned char>(255 - g), 90);
-  }
-  return I;
-}
-
 void prepare(vpMbMultiCueTracker &tracker, int type)
 {
   tracker.setTrackerType(type);
@@ -68,10 +56,10 @@ TEST_CASE("Cues alone and together follow the object", "[tracker]")
       vpMbMultiCueTracker tracker;
       prepare(tracker, type);
       tracker.setPrediction(predicts);
-      tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
+      tracker.initFromPose(box.drawColor(poseAt(0)), poseAt(0));
       double worst = 0.;
       for (int i = 1; i < 10; ++i) {
-        tracker.track(colorImage(box, poseAt(i)));
+        tracker.track(box.drawColor(poseAt(i)));
         worst = std::max(worst, error(tracker.getPose(), poseAt(i)));
         CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
         CHECK((tracker.getNbFeaturesEdge() > 0) == ((type & edge) != 0));
@@ -104,8 +92,8 @@ TEST_CASE("Images that show nothing leave a finite pose, and tracking goes on af
   vpMbMultiCueTracker tracker;
   prepare(tracker, edge | klt | color);
   tracker.setPrediction(true);
-  tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
-  tracker.track(colorImage(box, poseAt(0)));
+  tracker.initFromPose(box.drawColor(poseAt(0)), poseAt(0));
+  tracker.track(box.drawColor(poseAt(0)));
   for (const int level : {0, 255, 90}) {
     const auto gray = static_cast<unsigned char>(level);
     const vpImage<vpRGBa> plain(renderedBox::height, renderedBox::width, vpRGBa(gray, gray, gray));
@@ -115,7 +103,7 @@ TEST_CASE("Images that show nothing leave a finite pose, and tracking goes on af
       CHECK(tracker.getTrackingState() != vpTrackingState::TRACKING);
     }
   }
-  tracker.track(colorImage(box, poseAt(0)));
+  tracker.track(box.drawColor(poseAt(0)));
   CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
   CHECK(error(tracker.getPose(), poseAt(0)) < 0.004);
 }
@@ -128,9 +116,9 @@ TEST_CASE("The search range of the prediction leaves the user's range as it is",
   tracker.setPrediction(true);
   tracker.setPredictedRange(true);
   const double range = tracker.getEdgeSettings().range;
-  tracker.initFromPose(colorImage(box, poseAt(0)), poseAt(0));
+  tracker.initFromPose(box.drawColor(poseAt(0)), poseAt(0));
   for (int i = 1; i < 6; ++i) {
-    tracker.track(colorImage(box, poseAt(i)));
+    tracker.track(box.drawColor(poseAt(i)));
     CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
     CHECK(error(tracker.getPose(), poseAt(i)) < 0.004);
     CHECK(tracker.getEdgeSettings().range == range);
@@ -157,8 +145,8 @@ TEST_CASE("A start from points or a file on a colour image learns its colours, a
           "[tracker]")
 {
   renderedBox box;
-  const vpImage<vpRGBa> first = colorImage(box, poseAt(0));
-  const vpImage<vpRGBa> second = colorImage(box, poseAt(1));
+  const vpImage<vpRGBa> first = box.drawColor(poseAt(0));
+  const vpImage<vpRGBa> second = box.drawColor(poseAt(1));
   std::vector<vpPoint> points;
   std::vector<vpImagePoint> pixels;
   for (int i = 0; i < 8; ++i) {

@@ -6,6 +6,7 @@
 
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpImageConvert.h>
+#include <visp3/core/vpRGBa.h>
 #include <visp3/model/vpCpuRenderer.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
 
@@ -50,6 +51,18 @@ public:
       for (unsigned int j = 0; j < width; ++j) {
         I[i][j] = level(static_cast<int>(i), static_cast<int>(j), factor);
       }
+    }
+    return I;
+  }
+
+  //! The gray levels of the sides as colours.
+  vpImage<vpRGBa> drawColor(const vpHomogeneousMatrix &cMo)
+  {
+    const vpImage<unsigned char> gray = draw(cMo);
+    vpImage<vpRGBa> I(gray.getHeight(), gray.getWidth());
+    for (unsigned int i = 0; i < I.getSize(); ++i) {
+      const unsigned char g = gray.bitmap[i];
+      I.bitmap[i] = vpRGBa(g, static_cast<unsigned char>(255 - g), 90);
     }
     return I;
   }

@@ -18,8 +18,6 @@ const double wellExplained = 0.8;
 const double badlyExplained = 0.65;
 // One cue alone does not make a pose better than those before.
 const double mostOfOne = 1.2;
-// What a right pose has at least, whatever the frames before had.
-const double leastUsual = 0.4;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
 const double usualFallRate = 0.02;
@@ -68,7 +66,7 @@ double vpMbMultiCueTracker::explainedShare()
   double sum = 0.;
   int cues = 0;
   const auto add = [&](double value, double usual) {
-    sum += std::min(value / std::max(usual, leastUsual), mostOfOne);
+    sum += std::min(value / std::max(usual, Impl::leastUsual), mostOfOne);
     ++cues;
   };
   if (impl.uses(EDGE_TRACKER)) {

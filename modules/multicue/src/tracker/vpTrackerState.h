@@ -127,6 +127,7 @@ public:
   Agreement usual;       // Mean over the trusted frames.
   double bestExplained = 0.;
   static constexpr double longestCoast = 0.5; // Seconds.
+  static constexpr double leastUsual = 0.4;   // What a right pose has at least, whatever the frames before had.
   vpHomogeneousMatrix bestPose;               // Of the attempts in this frame.
   bool bestIsLast = false;
   bool bestUsesPoints = false;
