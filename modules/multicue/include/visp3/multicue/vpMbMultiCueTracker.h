@@ -114,7 +114,8 @@ public:
   void track(const vpImage<vpRGBa> &I_color) override;
   //! How the last frame went; UNCERTAIN before the first one.
   vpTrackingState getTrackingState() const;
-  //! Share of the control points that support the pose of the last frame, [0, 1]: the state is judged by it.
+  //! Share of the features that the robust estimation kept in the last frame, [0, 1]. The state is judged by it with
+  //! edges alone, and with other cues by what the pose explains, see \ref multicue_fusion.
   double getSupport() const;
   //! Where the time of the last track() went.
   const vpTrackingTimings &getTimings() const;

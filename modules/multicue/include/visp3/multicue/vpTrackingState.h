@@ -11,7 +11,7 @@ enum class vpTrackingState
 {
   TRACKING,  //!< The image supports the pose.
   UNCERTAIN, //!< The image supports it in part.
-  LOST       //!< It does not: the pose is the last one that was trusted.
+  LOST       //!< It does not: the pose is the one before, or for half a second the one that is predicted.
 };
 
 //! \ingroup group_multicue \return The state's name, "TRACKING" for instance.
