@@ -136,8 +136,7 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
 void vpMbMultiCueTracker::tryTurns(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  const Eigen::Vector3d centre = 0.5 * (impl.model->boxMin() + impl.model->boxMax());
-  const vpHomogeneousMatrix oMb(vpTranslationVector(centre.x(), centre.y(), centre.z()), vpRotationMatrix());
+  const vpHomogeneousMatrix oMb = impl.centreFrame();
   const vpHomogeneousMatrix cMb = impl.expectedPose * oMb;
   for (unsigned int i = 0; i < 6; ++i) {
     const double angle = i % 2 == 0 ? turn : -turn;

@@ -37,12 +37,9 @@ vpPoseMatrix6 toParameters(const vpHomogeneousMatrix &cMo)
   return T;
 }
 
-// What is known without an image: nothing, but numbers stay finite.
-vpPoseMatrix6 weakPrior(const vpTrackedModel &model, const vpHomogeneousMatrix &cMo)
+// What is known without an image: nothing, but numbers stay finite. The frame b is at the object's centre.
+vpPoseMatrix6 weakPrior(const vpHomogeneousMatrix &cMb)
 {
-  const Eigen::Vector3d centre = 0.5 * (model.boxMin() + model.boxMax());
-  const vpHomogeneousMatrix oMb(vpTranslationVector(centre.x(), centre.y(), centre.z()), vpRotationMatrix());
-  const vpHomogeneousMatrix cMb = cMo * oMb;
   const double distance = std::max(std::fabs(cMb[2][3]), 1e-9);
   vpPoseTangent information;
   information << vpPoseTangent::Constant(1. / (distance * distance));
@@ -92,7 +89,7 @@ void vpMbMultiCueTracker::updateCovariance()
   if (!computeCovariance && !impl.predicts) {
     return;
   }
-  impl.uncertainty.update(impl.fusion, weakPrior(*impl.model, m_cMo));
+  impl.uncertainty.update(impl.fusion, weakPrior(m_cMo * impl.centreFrame()));
   std::array<bool, 6> fixed{};
   for (unsigned int i = 0; i < 6; ++i) {
     fixed[i] = oJo[i][i] == 0.; // See vpMbTracker::setEstimatedDoF().

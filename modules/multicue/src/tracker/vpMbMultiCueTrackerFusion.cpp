@@ -82,7 +82,7 @@ void vpMbMultiCueTracker::setPrior()
   vpPoseTangent deviations;
   deviations.head<3>().setConstant(width(impl.surprise[0]) * model.diameter());
   deviations.tail<3>().setConstant(width(impl.surprise[1]));
-  impl.prior.set(m_cMo, 0.5 * (model.boxMin() + model.boxMax()), deviations);
+  impl.prior.set(m_cMo, impl.centreFrame(), deviations);
 }
 
 // How far the object was from where it was expected.
@@ -90,7 +90,7 @@ void vpMbMultiCueTracker::learnSurprise()
 {
   Impl &impl = *m_impl;
   const vpTrackedModel &model = *impl.model;
-  const Eigen::Vector3d centre = 0.5 * (model.boxMin() + model.boxMax());
+  const Eigen::Vector3d centre = impl.centre();
   const Eigen::Isometry3d moved = vpPoseExponential::toEigen(impl.expectedPose.inverse() * m_cMo);
   const double distance = (moved * centre - centre).norm() / model.diameter();
   const double angle = Eigen::AngleAxisd(moved.linear()).angle();
@@ -157,7 +157,7 @@ void vpMbMultiCueTracker::updateReferences()
 void vpMbMultiCueTracker::updateRefusedPoints()
 {
   Impl &impl = *m_impl;
-  vpResidualBlock block;
+  vpResidualBlock &block = impl.block;
   impl.points->residuals(m_cMo, block);
   std::vector<double> weights;
   const double largest = nearPoint / impl.frameCamera.get_px();

@@ -21,12 +21,12 @@ public:
   static constexpr unsigned int rows = 6;
 
   /*!
-    \param cMo Expected pose. \param centre Of the object, object frame, metres.
+    \param cMo Expected pose. \param oMb Frame at the object's centre.
     \param deviations Standard deviations of its translation, metres, and rotation, radians.
   */
-  void set(const vpHomogeneousMatrix &cMo, const Eigen::Vector3d &centre, const vpPoseTangent &deviations)
+  void set(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &oMb, const vpPoseTangent &deviations)
   {
-    m_oMb = vpHomogeneousMatrix(vpTranslationVector(centre.x(), centre.y(), centre.z()), vpRotationMatrix());
+    m_oMb = oMb;
     m_bMc = (cMo * m_oMb).inverse();
     m_inverse = deviations.cwiseInverse();
     m_isSet = true;

@@ -73,6 +73,14 @@ public:
   bool isTrusted() const { return type == EDGE_TRACKER || state == vpTrackingState::TRACKING; }
   //! True where the prediction is still better than the last pose, for an object that is not seen.
   bool mayCoast() const { return predicts && kalman.isStarted() && sinceUpdate < longestCoast; }
+  //! Of the object's box, object frame, metres.
+  Eigen::Vector3d centre() const { return 0.5 * (model->boxMin() + model->boxMax()); }
+  //! The frame with the object's orientation there.
+  vpHomogeneousMatrix centreFrame() const
+  {
+    const Eigen::Vector3d at = centre();
+    return vpHomogeneousMatrix(vpTranslationVector(at.x(), at.y(), at.z()), vpRotationMatrix());
+  }
   bool uses(int cue) const { return (type & cue) != 0; }
   //! Why a cue that was matched gave no equation.
   std::string missingRows(int cue) const;
