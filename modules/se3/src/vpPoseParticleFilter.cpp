@@ -52,8 +52,8 @@ void checkCount(const char *function, std::size_t given, std::size_t wanted)
 } // namespace
 
 vpPoseParticleFilter::vpPoseParticleFilter(const vpPoseParticleSettings &settings)
-    : m_settings((settings.check(), settings)), m_noise(noiseOf(settings.noiseTime)), m_prior(m_noise),
-      m_proposals(m_noise)
+    : m_settings((settings.check(), settings)), m_noise(noiseOf(settings.noiseTime, 1.)), m_jumpNoise(m_noise),
+      m_prior(m_noise), m_jumps(m_noise), m_proposals(m_noise)
 {
 }
 
@@ -71,9 +71,9 @@ void vpPoseParticleFilter::requireStarted(const char *function) const
   }
 }
 
-vpPoseNoise vpPoseParticleFilter::noiseOf(double dt) const
+vpPoseNoise vpPoseParticleFilter::noiseOf(double dt, double factor) const
 {
-  const double scale = std::max(std::pow(dt / m_settings.noiseTime, m_settings.noiseGrowth), leastNoise);
+  const double scale = factor * std::max(std::pow(dt / m_settings.noiseTime, m_settings.noiseGrowth), leastNoise);
   return vpPoseNoise::isotropic(scale * m_settings.translationNoise, scale * m_settings.rotationNoise,
                                 m_settings.noiseFrame);
 }
@@ -148,14 +148,18 @@ void vpPoseParticleFilter::predict(double dt, const Eigen::Isometry3d &oMp)
                       "vpPoseParticleFilter::predict() after propose() needs resample() in between");
   }
   m_step++;
-  m_noise = noiseOf(dt);
-  m_prior.clear(m_noise);
+  m_noise = noiseOf(dt, 1.);
+  m_jumpNoise = noiseOf(dt, m_settings.jumpFactor);
+  clearPrior();
+  const bool mayJump = m_settings.jumpShare > 0.;
   for (std::size_t i = 0; i < m_size; i++) {
     const Eigen::Isometry3d moved = vpPoseExponential::toEigen(m_poses[i]) * oMp;
     if (m_settings.prior == vpPoseParticleSettings::Prior::PREDICTION) {
-      m_prior.add(moved, m_weights[i]);
+      addPrior(moved, m_weights[i]);
     }
-    scatter(i, moved, m_noise);
+    // Of a stream of its own, so that jumps do not change the noise of the others.
+    const bool jumps = mayJump && vpPoseRandom(m_settings.seed, {m_step, i, 1}).uniform() < m_settings.jumpShare;
+    scatter(i, moved, jumps ? m_jumpNoise : m_noise);
   }
   m_priorWeights = m_weights;
   m_isWeighed = false;
@@ -209,21 +213,50 @@ void vpPoseParticleFilter::propose(const std::vector<vpHomogeneousMatrix> &optim
 void vpPoseParticleFilter::makeMixtures()
 {
   if (m_settings.prior == vpPoseParticleSettings::Prior::PARTICLES) {
-    m_prior.clear(m_noise);
+    clearPrior();
     for (std::size_t i = 0; i < m_predicted; i++) {
-      m_prior.add(m_poses[i], m_priorWeights[i]);
+      addPrior(vpPoseExponential::toEigen(m_poses[i]), m_priorWeights[i]);
     }
   }
   m_prior.prepare();
+  m_jumps.prepare();
   m_proposals.prepare();
   m_effort = vpPoseMixture::Effort();
+}
+
+void vpPoseParticleFilter::clearPrior()
+{
+  m_prior.clear(m_noise);
+  m_jumps.clear(m_jumpNoise);
+}
+
+void vpPoseParticleFilter::addPrior(const Eigen::Isometry3d &mean, double weight)
+{
+  m_prior.add(mean, weight);
+  if (m_settings.jumpShare > 0.) {
+    m_jumps.add(mean, weight);
+  }
+}
+
+// log f
+double vpPoseParticleFilter::logPrior(const vpHomogeneousMatrix &cMo)
+{
+  const double plain = m_prior.logDensity(cMo, &m_effort);
+  const double share = m_settings.jumpShare;
+  if (!(share > 0.)) {
+    return plain;
+  }
+  const double a = std::log(1. - share) + plain;
+  const double b = std::log(share) + m_jumps.logDensity(cMo, &m_effort);
+  const double larger = std::max(a, b);
+  return std::isfinite(larger) ? larger + std::log1p(std::exp(std::min(a, b) - larger)) : larger;
 }
 
 // log(f / g) with g = share f + (1 - share) proposals, from the densities' ratio alone.
 double vpPoseParticleFilter::logCorrection(std::size_t i)
 {
   const double share = static_cast<double>(m_predicted) / static_cast<double>(m_size);
-  const double ratio = m_proposals.logDensity(m_poses[i], &m_effort) - m_prior.logDensity(m_poses[i], &m_effort);
+  const double ratio = m_proposals.logDensity(m_poses[i], &m_effort) - logPrior(m_poses[i]);
   return ratio > 0. ? -ratio - std::log(1. - share + share * std::exp(-ratio))
                     : -std::log(share + (1. - share) * std::exp(ratio));
 }

@@ -28,6 +28,14 @@ void vpPoseParticleSettings::check() const
     throw vpException(vpException::badValue, "vpPoseParticleSettings::noiseGrowth is %g, it must be from 0 to 1.5",
                       noiseGrowth);
   }
+  if (!(jumpShare >= 0. && jumpShare <= 0.9)) {
+    throw vpException(vpException::badValue, "vpPoseParticleSettings::jumpShare is %g, it must be from 0 to 0.9",
+                      jumpShare);
+  }
+  if (!(jumpFactor >= 1. && jumpFactor <= 100.)) {
+    throw vpException(vpException::badValue, "vpPoseParticleSettings::jumpFactor is %g, it must be from 1 to 100",
+                      jumpFactor);
+  }
 }
 
 END_VISP_NAMESPACE

@@ -145,8 +145,11 @@ private:
   void predict(double dt, const Eigen::Isometry3d &oMp);
   void reserve(std::size_t count);
   void scatter(std::size_t i, const Eigen::Isometry3d &cMo, const vpPoseNoise &noise);
-  vpPoseNoise noiseOf(double dt) const;
+  vpPoseNoise noiseOf(double dt, double factor) const;
+  void clearPrior();
   void makeMixtures();
+  void addPrior(const Eigen::Isometry3d &mean, double weight);
+  double logPrior(const vpHomogeneousMatrix &cMo);
   double logCorrection(std::size_t i);
   void equaliseWeights();
 
@@ -163,8 +166,10 @@ private:
   std::uint64_t m_step = 0; // Names the random numbers.
   bool m_isWeighed = false;
   bool m_isProposed = false;
-  vpPoseNoise m_noise;       // Of the last prediction.
-  vpPoseMixture m_prior;     // f
+  vpPoseNoise m_noise;       // Of the last prediction,
+  vpPoseNoise m_jumpNoise;   // and of those particles that jump.
+  vpPoseMixture m_prior;     // f without jumps.
+  vpPoseMixture m_jumps;     // The part of f that they make.
   vpPoseMixture m_proposals; // g without its share of f
   vpPoseMixture::Effort m_effort;
 };

@@ -28,6 +28,9 @@ struct VISP_EXPORT vpPoseParticleSettings
   double noiseTime = 1. / 30.;    //!< The time step that the deviations are meant for, seconds, > 0.
   double noiseGrowth = 0.5;       //!< Deviations grow with the time step to this power, 0 to 1.5: 0.5 for a pose that
                                   //!< wanders, 1 for an unknown velocity, 0 for the same noise at each step.
+  double jumpShare = 0.;  //!< Share of the particles with jumpFactor times these deviations, 0 to 0.9: a density with
+                          //!< tails, so that an optimised pose far away has a chance.
+  double jumpFactor = 4.; //!< See jumpShare, 1 to 100.
   vpPoseNoise::Frame noiseFrame = vpPoseNoise::Frame::OBJECT; //!< CAMERA is [T10] eq. 6.
   std::uint64_t seed = 1;                                     //!< The same seed and the same calls give the same bits.
   bool correctProposals = true;    //!< Weigh by f / g. False: as if optimised particles had been predicted.
