@@ -25,7 +25,7 @@ void ShadowMap::update(const vpHomogeneousMatrix &cMo, const Eigen::Vector3d &to
   if (m_model->isConvex()) {
     return;
   }
-  const Eigen::Vector3d o = 0.5 * (m_model->boxMin() + m_model->boxMax());
+  const Eigen::Vector3d o = m_model->centre();
   Eigen::Vector3d centre;
   for (unsigned int i = 0; i < 3; ++i) {
     centre(i) = cMo[i][0] * o.x() + cMo[i][1] * o.y() + cMo[i][2] * o.z() + cMo[i][3];

@@ -101,7 +101,7 @@ int vpModelView::textureEdgeOf(const vpControlPoint &point) const
 // Looks into the depth buffer where the object's centre was when it was drawn.
 vpDepthProbe vpModelView::depthProbe(const vpViewCamera &camera) const
 {
-  const Eigen::Vector3d centre = 0.5 * (m_model->boxMin() + m_model->boxMax());
+  const Eigen::Vector3d centre = m_model->centre();
   const auto at = [&](const vpHomogeneousMatrix &cMo) {
     return Eigen::Vector3d(cMo[0][0] * centre.x() + cMo[0][1] * centre.y() + cMo[0][2] * centre.z() + cMo[0][3],
                            cMo[1][0] * centre.x() + cMo[1][1] * centre.y() + cMo[1][2] * centre.z() + cMo[1][3],

@@ -137,6 +137,8 @@ public:
   //! Corners of the axis-aligned bounding box, object frame, metres.
   const Eigen::Vector3d &boxMin() const { return m_boxMin; }
   const Eigen::Vector3d &boxMax() const { return m_boxMax; }
+  //! Middle of the bounding box, object frame, metres.
+  Eigen::Vector3d centre() const { return 0.5 * (m_boxMin + m_boxMax); }
   //! Diagonal of the bounding box, metres.
   double diameter() const { return m_report.diameter; }
   //! True where no part of the object can hide another: front-facing is then the same as visible.
