@@ -2,35 +2,22 @@
 #include "color/vpColorLineFinder.h"
 
 #include "color/vpLinePixels.h"
+#include "color/vpPixelNumber.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
 const double mostOverlap = 3.; // Pixels.
 
-std::uint32_t toNumber(const vpRGBa &pixel)
-{
-  std::uint32_t number = 0;
-  static_assert(sizeof(pixel) == sizeof(number), "red, green, blue and alpha");
-  std::memcpy(&number, &pixel, sizeof(number));
-  return number;
-}
-
-std::uint32_t toNumber(unsigned char pixel)
-{
-  return pixel;
-}
-
 template <typename Pixel> void readLine(const vpImage<Pixel> &I, const vpColorCue::Line &line, std::uint32_t *pixels)
 {
   const std::ptrdiff_t stride = I.getWidth();
   const vpLinePixels places(line);
   for (int k = line.first; k <= line.last; ++k) {
-    pixels[k] = toNumber(I.bitmap[places.v(k) * stride + places.u(k)]);
+    pixels[k] = toPixelNumber(I.bitmap[places.v(k) * stride + places.u(k)]);
   }
 }
 } // namespace
