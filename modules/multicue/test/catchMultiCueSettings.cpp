@@ -59,6 +59,26 @@ const std::vector<Case> cases = {
     {"hypotheses", "mergeTolerance", {"1e-9", "100"}, {"0", "100.01"}},
     {"hypotheses", "reach", {"1", "10"}, {"0.99", "10.01"}},
     {"hypotheses", "seed", {"0", "4294967295"}, {"-1", "4294967296", "1.0"}},
+    {"particles", "enabled", {"true", "false"}, {"1"}},
+    {"particles", "number", {"10", "10000"}, {"9", "10001", "10.0"}},
+    {"particles", "leastNumber", {"10", "300"}, {"9", "10001"}},
+    {"particles", "mostNumber", {"50", "10000"}, {"9", "10001"}},
+    {"particles", "budget", {"0", "1000"}, {"-0.1", "1000.1"}},
+    {"particles", "translationNoise", {"1e-9", "1"}, {"0", "1.01"}},
+    {"particles", "rotationNoise", {"1e-9", "1"}, {"0", "1.01"}},
+    {"particles", "motionNoise", {"0", "10"}, {"-0.1", "10.1"}},
+    {"particles", "jumpShare", {"0", "0.9"}, {"-0.1", "0.91"}},
+    {"particles", "jumpFactor", {"1", "100"}, {"0.99", "100.1"}},
+    {"particles", "noiseFrame", {"\"object\"", "\"camera\""}, {"\"world\"", "0"}},
+    {"particles", "motion", {"\"random walk\"", "\"velocity\""}, {"\"still\"", "1"}},
+    {"particles", "lambda", {"0", "1000"}, {"-0.1", "1000.1"}},
+    {"particles", "sharpness", {"0", "1000"}, {"-0.1", "1000.1"}},
+    {"particles", "bestShare", {"0", "1"}, {"-0.01", "1.01"}},
+    {"particles", "mostOptimised", {"0", "100"}, {"-1", "101", "1.5"}},
+    {"particles", "output", {"\"mean\"", "\"best mode\""}, {"\"mode\"", "2"}},
+    {"particles", "modeTranslation", {"1e-9", "10"}, {"0", "10.1"}},
+    {"particles", "modeRotation", {"1e-9", "3"}, {"0", "3.1"}},
+    {"particles", "seed", {"0", "4294967295"}, {"-1", "4294967296", "1.0"}},
     {"view", "sampleStep", {"0.5", "100"}, {"0.49"}},
     {"view", "appearAngle", {"1e-9", "89"}, {"0", "90.01"}},
     {"view", "disappearAngle", {"89", "90"}, {"0", "90.01"}},
@@ -163,7 +183,7 @@ TEST_CASE("The cases above are all keys that there are")
   vpMultiCueSettingsReader::write(folder.path("all.json"), unusual());
   const std::string text = settingsFiles::textOf(folder.path("all.json"));
   const auto colons = static_cast<std::size_t>(std::count(text.begin(), text.end(), ':'));
-  CHECK(colons == cases.size() + 8 + 1); // Eight objects, and the cues.
+  CHECK(colons == cases.size() + 9 + 2); // Nine objects, the cues and the search.
 }
 
 TEST_CASE("Values come where they belong")
@@ -194,6 +214,18 @@ TEST_CASE("Cues are a list of names")
   vpMultiCueSettings settings;
   settings.cues = 4;
   CHECK_THAT(messageOf([&] { settings.check(); }), ContainsSubstring("cues is 4"));
+}
+
+TEST_CASE("The search is on or off")
+{
+  CHECK(readJson(R"({"search": true})").searches);
+  CHECK_FALSE(readJson(R"({"search": false})", unusual()).searches);
+  CHECK_FALSE(readJson("{}").searches);
+  for (const std::string value : {"1", R"("true")", "null", "{}", "[true]"}) {
+    CHECK_THAT(refusedJson("{\"search\": " + value + "}"),
+               ContainsSubstring("settings.json") &&
+                   ContainsSubstring("search is " + value + ", it must be true or false"));
+  }
 }
 
 TEST_CASE("Levels of the colours fall")
@@ -236,9 +268,10 @@ TEST_CASE("What was written is read again to the last digit, whatever the defaul
 
 TEST_CASE("What is not known is named, with what is")
 {
-  CHECK_THAT(refusedJson(R"({"edges": {}})"),
-             ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
-                 ContainsSubstring("cues, camera, edge, hypotheses, view, klt, color, prediction, lod"));
+  CHECK_THAT(
+      refusedJson(R"({"edges": {}})"),
+      ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
+          ContainsSubstring("cues, camera, edge, hypotheses, particles, view, klt, color, prediction, search, lod"));
   CHECK_THAT(refusedJson(R"({"edge": {"Range": 3}})"),
              ContainsSubstring("'Range' is not known in 'edge'") &&
                  ContainsSubstring("range, contrast, mu1, mu2, maskSize, candidates"));

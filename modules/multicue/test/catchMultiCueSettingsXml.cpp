@@ -87,11 +87,13 @@ TEST_CASE("Every node comes where it belongs")
   vpMultiCueSettings keptOnly = everythingRead();
   keptOnly.edge.candidates = unusual().edge.candidates;
   keptOnly.hypotheses = unusual().hypotheses;
+  keptOnly.particles = unusual().particles;
   keptOnly.cues = unusual().cues;
   keptOnly.color = unusual().color;
   keptOnly.predicts = unusual().predicts;
   keptOnly.prediction = unusual().prediction;
   keptOnly.frameInterval = unusual().frameInterval;
+  keptOnly.searches = unusual().searches;
   keptOnly.view.border = unusual().view.border;
   keptOnly.view.visibilitySize = unusual().view.visibilitySize;
   keptOnly.view.textureEdges = unusual().view.textureEdges;

@@ -58,6 +58,26 @@ inline vpMultiCueSettings unusual()
   settings.edge.maskSize = 7;
   settings.edge.candidates = 1;
   settings.hypotheses = {true, 10. / 7., 77, 7, 2. / 3., 2.5, 4000000001U};
+  settings.particles.enabled = true;
+  settings.particles.number = 77;
+  settings.particles.leastNumber = 33;
+  settings.particles.mostNumber = 99;
+  settings.particles.budget = 100. / 7.;
+  settings.particles.translationNoise = 1. / 30.;
+  settings.particles.rotationNoise = 1. / 70.;
+  settings.particles.motionNoise = 4. / 3.;
+  settings.particles.jumpShare = 1. / 3.;
+  settings.particles.jumpFactor = 7. / 3.;
+  settings.particles.noiseFrame = vpParticleSettings::CAMERA;
+  settings.particles.motion = vpParticleSettings::VELOCITY;
+  settings.particles.lambda = 100. / 3.;
+  settings.particles.sharpness = 100. / 7.;
+  settings.particles.bestShare = 1. / 7.;
+  settings.particles.mostOptimised = 9;
+  settings.particles.output = vpParticleSettings::MEAN;
+  settings.particles.modeTranslation = 1. / 9.;
+  settings.particles.modeRotation = 2. / 9.;
+  settings.particles.seed = 4000000003U;
   settings.view.sampleStep = 20. / 3.;
   settings.view.appearAngle = 200. / 3.;
   settings.view.disappearAngle = 220. / 3.;
@@ -82,6 +102,7 @@ inline vpMultiCueSettings unusual()
   settings.predicts = true;
   settings.prediction = {1. / 3., 2. / 3., 4. / 3., 5. / 3., 7. / 3., false};
   settings.frameInterval = 1. / 70.;
+  settings.searches = true;
   settings.useLod = true;
   settings.minLineLength = 100. / 3.;
   settings.minPolygonArea = 1000. / 7.;
@@ -134,12 +155,23 @@ inline bool operator==(const vpPoseKalmanSettings &a, const vpPoseKalmanSettings
          a.startTranslation == b.startTranslation && a.startRotation == b.startRotation &&
          a.longestGap == b.longestGap && a.smooth == b.smooth;
 }
+inline bool operator==(const vpParticleSettings &a, const vpParticleSettings &b)
+{
+  return a.enabled == b.enabled && a.number == b.number && a.leastNumber == b.leastNumber &&
+         a.mostNumber == b.mostNumber && a.budget == b.budget && a.translationNoise == b.translationNoise &&
+         a.rotationNoise == b.rotationNoise && a.motionNoise == b.motionNoise && a.jumpShare == b.jumpShare &&
+         a.jumpFactor == b.jumpFactor && a.noiseFrame == b.noiseFrame && a.motion == b.motion && a.lambda == b.lambda &&
+         a.sharpness == b.sharpness && a.bestShare == b.bestShare && a.mostOptimised == b.mostOptimised &&
+         a.output == b.output && a.modeTranslation == b.modeTranslation && a.modeRotation == b.modeRotation &&
+         a.seed == b.seed;
+}
 inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
 {
-  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses && a.view == b.view &&
-         a.klt == b.klt && a.cues == b.cues && a.color == b.color && a.predicts == b.predicts &&
-         a.prediction == b.prediction && a.frameInterval == b.frameInterval && a.useLod == b.useLod &&
-         a.minLineLength == b.minLineLength && a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
+  return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses &&
+         a.particles == b.particles && a.view == b.view && a.klt == b.klt && a.cues == b.cues && a.color == b.color &&
+         a.predicts == b.predicts && a.prediction == b.prediction && a.frameInterval == b.frameInterval &&
+         a.searches == b.searches && a.useLod == b.useLod && a.minLineLength == b.minLineLength &&
+         a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
 }
 END_VISP_NAMESPACE
 

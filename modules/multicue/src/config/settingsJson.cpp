@@ -75,7 +75,8 @@ template <typename Value> bool hasType(const Json &json)
 }
 
 // The range is tested before the value becomes an integer, which may have no room for it.
-template <typename Value> bool assign(const Json &json, const Range &range, Value &value)
+template <typename Value>
+auto assign(const Json &json, const Range &range, Value &value) -> std::enable_if_t<std::is_arithmetic_v<Value>, bool>
 {
   if (!hasType<Value>(json) || (json.is_number() && !range.contains(json.get<double>()))) {
     return false;
@@ -113,10 +114,11 @@ std::optional<int> meaning(const Json &json, const Words &words)
   return std::nullopt;
 }
 
-bool assign(const Json &json, const Range &, vpColorCueSettings::Rows &rows)
+template <typename Enum>
+auto assign(const Json &json, const Range &, Enum &choice) -> std::enable_if_t<std::is_enum_v<Enum>, bool>
 {
-  const std::optional<int> value = meaning(json, rowWords());
-  rows = value ? static_cast<vpColorCueSettings::Rows>(*value) : rows;
+  const std::optional<int> value = meaning(json, wordsOf(Enum()));
+  choice = value ? static_cast<Enum>(*value) : choice;
   return value.has_value();
 }
 
@@ -138,10 +140,10 @@ Json toJson(const std::optional<double> &value)
   return *value;
 }
 
-Json toJson(vpColorCueSettings::Rows rows)
+template <typename Enum> Json wordOf(Enum choice)
 {
-  for (const auto &[name, value] : rowWords()) {
-    if (value == rows) {
+  for (const auto &[name, value] : wordsOf(choice)) {
+    if (value == static_cast<int>(choice)) {
       return name;
     }
   }
@@ -161,7 +163,11 @@ Json toJson(const CueSum &cues)
 
 template <typename Value> Json toJson(const Value &value)
 {
-  return value;
+  if constexpr (std::is_enum_v<Value>) {
+    return wordOf(value);
+  } else {
+    return value;
+  }
 }
 
 void readValue(const std::string &file, const Entry &entry, const Json &given, Draft &draft)

@@ -36,6 +36,7 @@ template <auto Member> constexpr auto ofHypotheses = &ofPart<&vpMultiCueSettings
 template <auto Member> constexpr auto ofView = &ofPart<&vpMultiCueSettings::view, Member>;
 template <auto Member> constexpr auto ofKlt = &ofPart<&vpMultiCueSettings::klt, Member>;
 template <auto Member> constexpr auto ofColor = &ofPart<&vpMultiCueSettings::color, Member>;
+template <auto Member> constexpr auto ofParticles = &ofPart<&vpMultiCueSettings::particles, Member>;
 template <auto Member> constexpr auto ofPrediction = &ofPart<&vpMultiCueSettings::prediction, Member>;
 
 CueSum &ofCues(Draft &draft)
@@ -157,8 +158,8 @@ std::string Entry::describe() const
         using Value = std::decay_t<decltype(at(std::declval<Draft &>()))>;
         if constexpr (std::is_same_v<Value, bool>) {
           return "true or false";
-        } else if constexpr (std::is_same_v<Value, vpColorCueSettings::Rows>) {
-          return "one of " + listText(namesOf(rowWords()));
+        } else if constexpr (std::is_enum_v<Value>) {
+          return "one of " + listText(namesOf(wordsOf(Value())));
         } else if constexpr (std::is_same_v<Value, CueSum>) {
           return "a list of one or more of " + listText(namesOf(cueWords()));
         } else if constexpr (IsList<Value>::value) {
@@ -171,9 +172,28 @@ std::string Entry::describe() const
       place);
 }
 
-const Words &rowWords()
+const Words &wordsOf(vpColorCueSettings::Rows)
 {
   static const Words words = {{"lines", vpColorCueSettings::LINES}, {"pixels", vpColorCueSettings::PIXELS}};
+  return words;
+}
+
+const Words &wordsOf(vpParticleSettings::NoiseFrame)
+{
+  static const Words words = {{"object", vpParticleSettings::OBJECT}, {"camera", vpParticleSettings::CAMERA}};
+  return words;
+}
+
+const Words &wordsOf(vpParticleSettings::Motion)
+{
+  static const Words words = {{"random walk", vpParticleSettings::RANDOM_WALK},
+                              {"velocity", vpParticleSettings::VELOCITY}};
+  return words;
+}
+
+const Words &wordsOf(vpParticleSettings::Output)
+{
+  static const Words words = {{"mean", vpParticleSettings::MEAN}, {"best mode", vpParticleSettings::BEST_MODE}};
   return words;
 }
 
@@ -203,6 +223,7 @@ const std::vector<Entry> &settingsTable()
   using Klt = vpPointCueSettings;
   using Color = vpColorCueSettings;
   using Prediction = vpPoseKalmanSettings;
+  using Particles = vpParticleSettings;
   static const std::vector<Entry> table = {
       {"cues", "", &ofCues, {}},
       {"camera", "px", &ofCamera<&CameraParts::px>, above(0., infinite, " pixels")},
@@ -224,6 +245,26 @@ const std::vector<Entry> &settingsTable()
       {"hypotheses", "mergeTolerance", ofHypotheses<&Hypotheses::mergeTolerance>, above(0., 100., " pixels")},
       {"hypotheses", "reach", ofHypotheses<&Hypotheses::reach>, between(1., 10.)},
       {"hypotheses", "seed", ofHypotheses<&Hypotheses::seed>, between(0., std::numeric_limits<unsigned int>::max())},
+      {"particles", "enabled", ofParticles<&Particles::enabled>, {}},
+      {"particles", "number", ofParticles<&Particles::number>, between(10., 10000.)},
+      {"particles", "leastNumber", ofParticles<&Particles::leastNumber>, between(10., 10000.)},
+      {"particles", "mostNumber", ofParticles<&Particles::mostNumber>, between(10., 10000.)},
+      {"particles", "budget", ofParticles<&Particles::budget>, between(0., 1000., " milliseconds")},
+      {"particles", "translationNoise", ofParticles<&Particles::translationNoise>, above(0., 1., " diameters")},
+      {"particles", "rotationNoise", ofParticles<&Particles::rotationNoise>, above(0., 1., " radians")},
+      {"particles", "motionNoise", ofParticles<&Particles::motionNoise>, between(0., 10.)},
+      {"particles", "jumpShare", ofParticles<&Particles::jumpShare>, between(0., 0.9)},
+      {"particles", "jumpFactor", ofParticles<&Particles::jumpFactor>, between(1., 100.)},
+      {"particles", "noiseFrame", ofParticles<&Particles::noiseFrame>, {}},
+      {"particles", "motion", ofParticles<&Particles::motion>, {}},
+      {"particles", "lambda", ofParticles<&Particles::lambda>, between(0., 1000.)},
+      {"particles", "sharpness", ofParticles<&Particles::sharpness>, between(0., 1000.)},
+      {"particles", "bestShare", ofParticles<&Particles::bestShare>, between(0., 1.)},
+      {"particles", "mostOptimised", ofParticles<&Particles::mostOptimised>, between(0., 100.)},
+      {"particles", "output", ofParticles<&Particles::output>, {}},
+      {"particles", "modeTranslation", ofParticles<&Particles::modeTranslation>, above(0., 10., " diameters")},
+      {"particles", "modeRotation", ofParticles<&Particles::modeRotation>, above(0., 3., " radians")},
+      {"particles", "seed", ofParticles<&Particles::seed>, between(0., std::numeric_limits<unsigned int>::max())},
       {"view", "sampleStep", ofView<&View::sampleStep>, between(0.5, infinite, " pixels")},
       {"view", "appearAngle", ofView<&View::appearAngle>, above(0., 90., " degrees")},
       {"view", "disappearAngle", ofView<&View::disappearAngle>, above(0., 90., " degrees")},
@@ -261,6 +302,7 @@ const std::vector<Entry> &settingsTable()
       {"prediction", "startRotation", ofPrediction<&Prediction::startRotation>, above(0., infinite, " rad/s")},
       {"prediction", "longestGap", ofPrediction<&Prediction::longestGap>, above(0., infinite, " seconds")},
       {"prediction", "smooth", ofPrediction<&Prediction::smooth>, {}},
+      {"search", "", &ofSettings<&Settings::searches>, {}},
       {"lod", "use", &ofSettings<&Settings::useLod>, {}},
       {"lod", "minLineLength", &ofSettings<&Settings::minLineLength>, between(0., infinite, " pixels")},
       {"lod", "minPolygonArea", &ofSettings<&Settings::minPolygonArea>, between(0., infinite, " square pixels")}};

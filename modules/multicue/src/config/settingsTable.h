@@ -56,14 +56,19 @@ struct Range
 };
 
 //! A function for each type that a setting can have, which gives its place in a draft.
-using Place =
-    std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), int &(*)(Draft &),
-                 unsigned int &(*)(Draft &), bool &(*)(Draft &), std::vector<unsigned int> &(*)(Draft &),
-                 std::vector<double> &(*)(Draft &), vpColorCueSettings::Rows &(*)(Draft &), CueSum &(*)(Draft &)>;
+using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), int &(*)(Draft &),
+                           unsigned int &(*)(Draft &), bool &(*)(Draft &), std::vector<unsigned int> &(*)(Draft &),
+                           std::vector<double> &(*)(Draft &), vpColorCueSettings::Rows &(*)(Draft &),
+                           vpParticleSettings::NoiseFrame &(*)(Draft &), vpParticleSettings::Motion &(*)(Draft &),
+                           vpParticleSettings::Output &(*)(Draft &), CueSum &(*)(Draft &)>;
 
 //! The words for a value that is one of several or, for CueSum, a sum of them.
 using Words = std::vector<std::pair<const char *, int>>;
-const Words &rowWords();
+//! The argument only says which of them.
+const Words &wordsOf(vpColorCueSettings::Rows);
+const Words &wordsOf(vpParticleSettings::NoiseFrame);
+const Words &wordsOf(vpParticleSettings::Motion);
+const Words &wordsOf(vpParticleSettings::Output);
 const Words &cueWords();
 std::vector<std::string> namesOf(const Words &words);
 

@@ -37,6 +37,7 @@ void vpMultiCueSettings::check() const
   // What members have to do with each other.
   edge.check();
   hypotheses.check();
+  particles.check();
   color.check();
   prediction.check();
   view.check();

@@ -7,7 +7,6 @@
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpImageConvert.h>
-#include <visp3/core/vpTrackingException.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +22,6 @@ const double sameDepth = 2.5;
 
 // A pose that moved its control points by more than this many search ranges in one match has diverged.
 const double maxMotion = 2.;
-// Fewer points than this happen to agree anywhere.
-const unsigned int fewestGood = 8;
 
 bool isFinite(const vpHomogeneousMatrix &cMo)
 {
@@ -143,6 +140,7 @@ template <typename Pixel> void vpMbMultiCueTracker::trackImage(const vpImage<Pix
 {
   requireTrackable(I.getWidth(), I.getHeight());
   vpTrackingTimings &timings = m_impl->timings;
+  m_impl->particles.adaptNumber(timings);
   timings = vpTrackingTimings();
   const vpStopwatch whole(timings.total);
   const auto frame = [this, &I, &timings] {
@@ -181,6 +179,10 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   impl.frameCamera = frame.camera();
   const vpHomogeneousMatrix cMoBefore = m_cMo;
   predict();
+  const bool explores = impl.type == EDGE_TRACKER && impl.particles.settings().enabled;
+  if (explores) {
+    lookAround(frame);
+  }
   judge(estimate(frame));
   if (impl.state == vpTrackingState::LOST && impl.type == EDGE_TRACKER) {
     // A jump of the light changes all contrasts at once: without what was remembered of them the edges may be there
@@ -189,11 +191,24 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     impl.edges.reset();
     judge(estimate(frame));
   }
+  if (explores) {
+    weighParticles(frame);
+  } else if (impl.type != EDGE_TRACKER) {
+    updateParticles(frame, impl.attempted);
+  }
   updateCovariance();
+  confirm();
   if (impl.state == vpTrackingState::LOST) {
-    m_cMo = impl.mayCoast() ? impl.expectedPose : cMoBefore;
+    const bool coasts = impl.mayCoast();
+    m_cMo = coasts ? impl.expectedPose : cMoBefore;
+    impl.outcome = coasts ? vpMbTrackingResult::Reason::COASTING : impl.outcome;
     impl.edges.reset();
+    if (impl.points && impl.searches) {
+      impl.points->reset(); // They followed something else.
+    }
+    impl.particles.widen();
   } else if (impl.isTrusted()) {
+    impl.particles.narrow();
     learn();
   }
   if (m_impl->throwOnLoss) {
@@ -210,8 +225,8 @@ void vpMbMultiCueTracker::learn()
   impl.learnResidue();
   if (impl.type != EDGE_TRACKER) {
     learnUsual();
-    learnSurprise();
   }
+  learnSurprise();
   updateMotion();
 }
 
@@ -227,7 +242,8 @@ void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneo
 void vpMbMultiCueTracker::updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near)
 {
   const vpModelView &view = *m_impl->view;
-  const bool isOfFrame = m_impl->viewedFrame == frame.number();
+  // A view without points, of a pose beside the image, tells nothing of how far another one is from it.
+  const bool isOfFrame = m_impl->viewedFrame == frame.number() && !view.points().empty();
   if (isOfFrame && vpControlPointMotion::mean(view, cMo, frame.camera()) <= near) {
     return;
   }
@@ -248,8 +264,13 @@ bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
   if (m_impl->type != EDGE_TRACKER) {
     return estimateFused(frame);
   }
+  return estimateFrom(frame, m_impl->hypotheses.settings().enabled && proposePose(frame));
+}
+
+// \param matched True where the last match serves m_cMo.
+bool vpMbMultiCueTracker::estimateFrom(const vpCueFrame &frame, bool matched)
+{
   const double limit = maxMotion * m_impl->edges.settings().range;
-  bool matched = m_impl->hypotheses.settings().enabled && proposePose(frame);
   for (unsigned int i = 0; i < maxMatches; ++i) {
     if (!matched) {
       match(frame, m_cMo);
@@ -267,51 +288,6 @@ bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
     }
   }
   return true;
-}
-
-void vpMbMultiCueTracker::judge(bool estimated)
-{
-  Impl &impl = *m_impl;
-  impl.expected = impl.countExpected();
-  impl.good = estimated ? impl.countGood() : 0;
-  const double needed = impl.goodRatio * impl.expected;
-  if (impl.good < fewestGood || impl.good < 0.5 * needed) {
-    impl.state = vpTrackingState::LOST;
-  } else {
-    impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
-  }
-  if (impl.type != EDGE_TRACKER && impl.state != vpTrackingState::LOST) {
-    impl.state = impl.stateOf(impl.bestExplained);
-  }
-  impl.isJudged = true;
-  impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";
-}
-
-vpTrackingState vpMbMultiCueTracker::getTrackingState() const
-{
-  return m_impl->state;
-}
-
-double vpMbMultiCueTracker::getSupport() const
-{
-  return m_impl->expected == 0 ? 0. : static_cast<double>(m_impl->good) / m_impl->expected;
-}
-
-const vpTrackingTimings &vpMbMultiCueTracker::getTimings() const
-{
-  return m_impl->timings;
-}
-
-void vpMbMultiCueTracker::testTracking()
-{
-  if (m_impl->state == vpTrackingState::LOST) {
-    throw vpTrackingException(vpTrackingException::fatalError, "The object is lost: " + m_impl->reason);
-  }
-}
-
-void vpMbMultiCueTracker::setThrowOnLoss(bool flag)
-{
-  m_impl->throwOnLoss = flag;
 }
 
 END_VISP_NAMESPACE

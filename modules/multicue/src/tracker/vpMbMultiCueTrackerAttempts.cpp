@@ -3,6 +3,8 @@
 
 #include "tracker/vpTrackerState.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,9 +20,25 @@ const double wellExplained = 0.8;
 const double badlyExplained = 0.65;
 // One cue alone does not make a pose better than those before.
 const double mostOfOne = 1.2;
+// A surface of one colour tells no pose from another.
+const double leastTexture = 0.15;
+// What places that were never seen count for.
+const double unknownCorrelation = 0.3;
+const double decisiveSurface = 0.7;
+const double contradictingSurface = 0.35;
+// Of a pose that is one deviation off the expected one; squared for those farther off.
+const double farPenalty = 0.03;
+const double mostFar = 10.;
+const double toleratedPenalty = 0.05;
+const double farDistance = 0.2; // Diameters.
+const double farTurn = 0.4;     // Radians.
+// Of half a turn.
+const double turnPenalty = 0.1;
+const double steadyVariance = 0.15 * 0.15;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
 const double usualFallRate = 0.02;
+const double unsteadinessRate = 0.05;
 // Turns of the object that are tried, radians.
 const double turn = 0.35;
 
@@ -57,6 +75,28 @@ double vpMbMultiCueTracker::pointAgreement() const
   return impl.points->matches().empty() ? 0. : sum / static_cast<double>(impl.points->matches().size());
 }
 
+// Squared, in deviations of how far the object may be from where it is expected.
+double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) const
+{
+  const Eigen::Isometry3d moved = vpPoseExponential::toEigen(expectedPose.inverse() * cMo);
+  const Eigen::Vector3d centre = model->centre();
+  const double distance = (moved * centre - centre).norm() / (farDistance * model->diameter());
+  const double angle = Eigen::AngleAxisd(moved.linear()).angle() / farTurn;
+  return std::min(distance * distance + angle * angle, mostFar);
+}
+
+double vpMbMultiCueTracker::Impl::shareOf(double value, double usual)
+{
+  return value / std::max(usual, leastUsual);
+}
+
+// How much a cue counts whose agreement with trusted poses has this variance, in shares of the usual one: 1 for one
+// that is steady. Colours that come and go with the light on the object say little.
+double vpMbMultiCueTracker::Impl::reliability(double variance)
+{
+  return steadyVariance / (steadyVariance + variance);
+}
+
 // How well the cues agree with the pose, each as a share of what it had in the trusted frames before. Points count only
 // where there is nothing else: those of what hides the object agree with a wrong pose.
 double vpMbMultiCueTracker::explainedShare()
@@ -64,50 +104,97 @@ double vpMbMultiCueTracker::explainedShare()
   Impl &impl = *m_impl;
   Agreement &agreement = impl.agreement;
   double sum = 0.;
-  int cues = 0;
-  const auto add = [&](double value, double usual) {
-    sum += std::min(value / std::max(usual, Impl::leastUsual), mostOfOne);
-    ++cues;
+  double cues = 0.;
+  const auto add = [&](double value, double usual, double weight) {
+    sum += weight * std::min(impl.shareOf(value, usual), mostOfOne);
+    cues += weight;
   };
   if (impl.uses(EDGE_TRACKER)) {
     agreement.edges = edgeAgreement();
-    add(agreement.edges, impl.usual.edges);
+    add(agreement.edges, impl.usual.edges, impl.reliability(impl.unsteadiness.edges));
   }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     agreement.color = impl.color.evidenceAt(m_cMo);
-    add(agreement.color, impl.usual.color);
+    add(agreement.color, impl.usual.color, impl.reliability(impl.unsteadiness.color));
   }
-  if (impl.uses(KLT_TRACKER) && cues == 0) {
+  const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
+  agreement.surface = surface.correlation;
+  agreement.surfaceKnown = surface.known;
+  agreement.surfaceWeight = std::min(1., 2. * surface.texture) * surface.known;
+  if (impl.usual.surface > 0.) {
+    add(std::max(surface.correlation, 0.), impl.usual.surface,
+        agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
+  }
+  if (impl.uses(KLT_TRACKER) && !(cues > 0.)) {
     agreement.points = pointAgreement();
-    add(agreement.points, impl.usual.points);
+    add(agreement.points, impl.usual.points, 1.);
   }
-  return cues > 0 ? sum / cues : 0.;
+  return cues > 0. ? sum / cues : 0.;
 }
 
 void vpMbMultiCueTracker::learnUsual()
 {
   Impl &impl = *m_impl;
-  const auto learn = [](double value, double &usual) {
+  const auto learn = [&impl](double value, double &usual, double &unsteadiness) {
+    if (usual > 0.) {
+      const double off = std::min(impl.shareOf(value, usual), mostOfOne) - 1.;
+      unsteadiness += unsteadinessRate * (off * off - unsteadiness);
+    }
     const double rate = usual > 0. ? (value > usual ? usualRiseRate : usualFallRate) : 1.;
     usual += rate * (value - usual);
   };
-  learn(impl.agreement.edges, impl.usual.edges);
-  learn(impl.agreement.color, impl.usual.color);
-  learn(impl.agreement.points, impl.usual.points);
+  learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);
+  learn(impl.agreement.color, impl.usual.color, impl.unsteadiness.color);
+  learn(impl.agreement.points, impl.usual.points, impl.unsteadiness.points);
+  if (impl.agreement.surfaceWeight > leastTexture) {
+    learn(impl.agreement.surface, impl.usual.surface, impl.unsteadiness.surface);
+  }
 }
 
 // Keeps the pose where it explains more than the best one before. \return True where that is enough.
 bool vpMbMultiCueTracker::takeAttempt(bool estimated)
 {
   Impl &impl = *m_impl;
-  const double value = estimated ? explainedShare() : -1.;
-  impl.bestIsLast = value > impl.bestExplained;
+  const double share = estimated ? explainedShare() : -1.;
+  if (estimated) {
+    impl.attempted.push_back(m_cMo);
+  }
+  // Half a turn of a symmetric object explains as much: the one nearer to the last trusted pose is likelier.
+  double value = share - farPenalty * impl.surpriseAt(m_cMo);
+  if (impl.mustConfirm) {
+    // What was never seen is no evidence for a pose.
+    const double unknown = std::min(1., 2. * impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
+    value = (2. * share + unknown * unknownCorrelation) / (2. + unknown) - turnPenalty * impl.turnSince(m_cMo);
+  }
+  impl.bestIsLast = estimated && value > impl.bestValue;
   if (impl.bestIsLast) {
-    impl.bestExplained = value;
+    impl.bestValue = value;
+    impl.bestExplained = share;
     impl.bestPose = m_cMo;
     impl.bestUsesPoints = impl.usesPoints;
   }
-  return impl.bestExplained >= wellExplained;
+  if (impl.mustConfirm) {
+    return impl.bestExplained >= wellExplained && impl.bestIsLast && isDecisive();
+  }
+  return std::min(impl.bestExplained, impl.bestValue + toleratedPenalty) >= wellExplained;
+}
+
+// The image shows something else than what is remembered of the surface.
+bool vpMbMultiCueTracker::isContradicted() const
+{
+  const Impl &impl = *m_impl;
+  return impl.agreement.surfaceWeight > leastTexture &&
+         impl.agreement.surface < contradictingSurface * impl.usual.surface;
+}
+
+// After a loss: no other pose looks like this one.
+bool vpMbMultiCueTracker::isDecisive() const
+{
+  const Impl &impl = *m_impl;
+  if (impl.surface.texture() < leastTexture) {
+    return impl.confirmations > 0;
+  }
+  return impl.agreement.surfaceWeight > leastTexture && impl.agreement.surface > decisiveSurface * impl.usual.surface;
 }
 
 // Starts elsewhere, where the image does not look as it should at the pose that was found.
@@ -128,7 +215,9 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
       return;
     }
   }
-  if (impl.bestExplained < badlyExplained) {
+  if (impl.searches) {
+    searchNear(frame);
+  } else if (impl.bestExplained < badlyExplained) {
     tryTurns(frame);
   }
 }
@@ -159,13 +248,20 @@ void vpMbMultiCueTracker::tryTurns(const vpCueFrame &frame)
 bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
+  impl.attempted.clear();
   impl.bestExplained = -1.;
+  impl.bestValue = -2.;
+  impl.surface.setFrame(frame);
   estimateCoarse(frame);
-  const bool estimated = refineFused(frame);
-  if (takeAttempt(estimated)) {
+  if (takeAttempt(refineFused(frame))) {
     return true;
   }
-  tryOthers(frame);
+  if (impl.mustConfirm) {
+    impl.usesPoints = false;
+    searchEverywhere(frame);
+  } else {
+    tryOthers(frame);
+  }
   if (impl.bestExplained < 0.) {
     return false;
   }

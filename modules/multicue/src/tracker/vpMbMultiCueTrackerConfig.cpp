@@ -188,6 +188,7 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   settings.camera = m_cam;
   settings.edge = m_impl->edges.settings();
   settings.hypotheses = m_impl->hypotheses.settings();
+  settings.particles = m_impl->particles.settings();
   settings.view = viewOptions();
   settings.klt = m_impl->klt;
   settings.cues = m_impl->type;
@@ -195,6 +196,7 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   settings.predicts = m_impl->predicts;
   settings.prediction = m_impl->kalman.settings();
   settings.frameInterval = m_impl->frameInterval;
+  settings.searches = m_impl->searches;
   settings.useLod = useLodGeneral;
   settings.minLineLength = minLineLengthThresholdGeneral;
   settings.minPolygonArea = minPolygonAreaThresholdGeneral;
@@ -215,6 +217,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   setCameraParameters(settings.camera);
   m_impl->edges.setSettings(settings.edge);
   setPoseHypothesisSettings(settings.hypotheses);
+  setParticleSettings(settings.particles);
   m_impl->viewOptions.sampleStep = settings.view.sampleStep;
   m_impl->viewOptions.textureEdges = settings.view.textureEdges;
   m_impl->klt = settings.klt;
@@ -222,6 +225,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   setColorSettings(settings.color);
   setPrediction(settings.predicts, settings.prediction);
   setFrameInterval(settings.frameInterval);
+  setSearch(settings.searches);
   m_impl->updateMe();
   angleAppears = vpMath::rad(settings.view.appearAngle);
   angleDisappears = vpMath::rad(settings.view.disappearAngle);

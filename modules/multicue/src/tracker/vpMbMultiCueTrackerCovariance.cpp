@@ -86,7 +86,7 @@ std::string count(std::size_t number, const char *what)
 void vpMbMultiCueTracker::updateCovariance()
 {
   Impl &impl = *m_impl;
-  if (!computeCovariance && !impl.predicts) {
+  if (!computeCovariance && !impl.usesVelocity()) {
     return;
   }
   impl.uncertainty.update(impl.fusion, weakPrior(m_cMo * impl.centreFrame()));

@@ -121,6 +121,9 @@ void vpMbMultiCueTracker::displayOn(const vpImage<Pixel> &I, const vpHomogeneous
   if (m_impl->displayHypotheses) {
     displayHypothesesOn(I, cam, thickness);
   }
+  if (m_impl->particles.isDisplayed) {
+    displayParticlesOn(I, cam, thickness);
+  }
   for (const std::vector<double> &line : getModelForDisplay(I.getWidth(), I.getHeight(), cMo, cam, displayFullModel)) {
     vpDisplay::displayLine(I, vpImagePoint(line[1], line[2]), vpImagePoint(line[3], line[4]), col, thickness);
   }

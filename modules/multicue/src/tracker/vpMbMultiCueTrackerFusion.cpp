@@ -45,6 +45,7 @@ void vpMbMultiCueTracker::predict()
     predictRange(expected.covariance);
   }
   impl.expectedPose = m_cMo;
+  impl.startPose = m_cMo;
 }
 
 // The cues that are matched take part in one minimisation.
@@ -90,7 +91,7 @@ void vpMbMultiCueTracker::learnSurprise()
 {
   Impl &impl = *m_impl;
   const vpTrackedModel &model = *impl.model;
-  const Eigen::Vector3d centre = impl.centre();
+  const Eigen::Vector3d centre = model.centre();
   const Eigen::Isometry3d moved = vpPoseExponential::toEigen(impl.expectedPose.inverse() * m_cMo);
   const double distance = (moved * centre - centre).norm() / model.diameter();
   const double angle = Eigen::AngleAxisd(moved.linear()).angle();
@@ -126,11 +127,11 @@ bool vpMbMultiCueTracker::refineFused(const vpCueFrame &frame)
   return true;
 }
 
-// A pose that is far from the expected one has diverged.
+// A pose that is far from the one that it started from has diverged.
 bool vpMbMultiCueTracker::isBelievable() const
 {
-  const vpHomogeneousMatrix &expected = m_impl->expectedPose;
-  const double distance = (expected.getTranslationVector() - m_cMo.getTranslationVector()).frobeniusNorm();
+  const vpHomogeneousMatrix &start = m_impl->startPose;
+  const double distance = (start.getTranslationVector() - m_cMo.getTranslationVector()).frobeniusNorm();
   return std::isfinite(m_cMo[0][0]) && distance < maxMotion * m_impl->model->diameter();
 }
 
@@ -151,6 +152,14 @@ void vpMbMultiCueTracker::updateReferences()
   if (impl.uses(KLT_TRACKER) && impl.fusion.find(KLT_TRACKER) == nullptr) {
     updateRefusedPoints();
   }
+  if (impl.type != EDGE_TRACKER) {
+    const vpModelView &view = *impl.view;
+    const bool isConvex = impl.model->isConvex();
+    if (isConvex || (view.depth() != nullptr &&
+                     vpControlPointMotion::between(view, view.depthPose(), m_cMo, impl.frameCamera) < nearPoint)) {
+      impl.surface.learn(m_cMo, isConvex ? nullptr : view.depth());
+    }
+  }
 }
 
 // Points had no part in the pose: those that agree with it nevertheless are the object's.
@@ -170,7 +179,7 @@ void vpMbMultiCueTracker::updateRefusedPoints()
 void vpMbMultiCueTracker::updateMotion()
 {
   Impl &impl = *m_impl;
-  if (!impl.predicts) {
+  if (!impl.usesVelocity()) {
     return;
   }
   const double translation = leastTranslation * impl.model->diameter();
@@ -186,6 +195,9 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.frameCamera = frame.camera();
+  if (impl.type != EDGE_TRACKER) {
+    impl.surface.setFrame(frame);
+  }
   if (!impl.uses(COLOR_TRACKER) && !impl.uses(KLT_TRACKER)) {
     return;
   }
@@ -222,6 +234,11 @@ void vpMbMultiCueTracker::setPrediction(bool flag, const vpPoseKalmanSettings &s
   m_impl->kalman.setSettings(settings);
   m_impl->kalman.reset();
   m_impl->predicts = flag;
+}
+
+void vpMbMultiCueTracker::setSearch(bool flag)
+{
+  m_impl->searches = flag;
 }
 
 void vpMbMultiCueTracker::setFrameInterval(double seconds)

@@ -3,6 +3,7 @@
 
 #include "hypotheses/vpControlPointMotion.h"
 #include "tracker/vpDistortedPoint.h"
+#include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpDisplay.h>
@@ -85,6 +86,7 @@ bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
 bool vpMbMultiCueTracker::findPoses(unsigned int limit, double decisive)
 {
   Impl &impl = *m_impl;
+  const vpStopwatch stage(impl.timings.pose);
   impl.hypotheses.find(impl.edges, *impl.view, m_cMo, impl.draws++, limit, decisive);
   impl.minimisations += impl.hypotheses.minimisations();
   return !impl.hypotheses.hypotheses().empty();
@@ -146,6 +148,7 @@ bool vpMbMultiCueTracker::refineHypothesis(const vpCueFrame &frame, std::size_t 
   bool serves = false;
   for (unsigned int i = 0; i < most && !serves; ++i) {
     match(frame, cMo);
+    const vpStopwatch stage(impl.timings.pose);
     impl.hypotheses.refine(index, impl.edges, impl.model->diameter());
     serves = vpControlPointMotion::mean(*impl.view, cMo, frame.camera()) < nearMotion;
   }

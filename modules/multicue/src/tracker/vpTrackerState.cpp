@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpTrackerState.h"
 
+#include "tracker/vpStopwatch.h"
+
 #include <visp3/core/vpException.h>
 
 #include <algorithm>
@@ -20,6 +22,8 @@ const double trustedExplained = 0.65;
 const double leastExplained = 0.4;
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
+// Places on the surface whose colours are remembered.
+const std::size_t surfacePlaces = 500;
 } // namespace
 
 const char *toString(vpTrackingState state)
@@ -60,6 +64,8 @@ void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
   view = std::make_unique<vpModelView>(model);
   displayView.reset();
   depthRenderer.reset();
+  sphere.reset();
+  surface.setSamples(vpSampleSurface(*model, surfacePlaces));
   makeRenderer();
   forgetImages();
   width = 0;
@@ -98,22 +104,25 @@ const vpRenderedView *vpMbMultiCueTracker::Impl::renderDepth(const vpHomogeneous
   return &depth;
 }
 
-unsigned int vpMbMultiCueTracker::Impl::countExpected() const
+void vpMbMultiCueTracker::Impl::countSupport(bool estimated)
 {
-  std::size_t count = uses(EDGE_TRACKER) ? edges.matches().size() : 0;
-  count += uses(COLOR_TRACKER) ? color.lines().size() : 0;
-  count += uses(KLT_TRACKER) ? 2 * points->matches().size() : 0; // Two rows each.
-  return static_cast<unsigned int>(count);
-}
-
-unsigned int vpMbMultiCueTracker::Impl::countGood() const
-{
-  std::ptrdiff_t count = 0;
-  for (std::size_t i = 0; i < fusion.size(); ++i) {
+  const auto number = [](auto count) { return static_cast<unsigned int>(count); };
+  supportOf.fill(Support());
+  supportOf[indexOf(EDGE_TRACKER)].expected = uses(EDGE_TRACKER) ? number(edges.matches().size()) : 0U;
+  supportOf[indexOf(COLOR_TRACKER)].expected = uses(COLOR_TRACKER) ? number(color.lines().size()) : 0U;
+  // Two rows each.
+  supportOf[indexOf(KLT_TRACKER)].expected = uses(KLT_TRACKER) ? number(2 * points->matches().size()) : 0U;
+  for (std::size_t i = 0; estimated && i < fusion.size(); ++i) {
     const std::vector<double> &weights = fusion[i].weights;
-    count += std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > goodWeight; });
+    supportOf[indexOf(fusion[i].type)].good =
+        number(std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > goodWeight; }));
   }
-  return static_cast<unsigned int>(count);
+  expected = 0;
+  good = 0;
+  for (const Support &part : supportOf) {
+    expected += part.expected;
+    good += part.good;
+  }
 }
 
 vpTrackingState vpMbMultiCueTracker::Impl::stateOf(double share)
@@ -137,13 +146,61 @@ void vpMbMultiCueTracker::Impl::learnResidue()
   }
 }
 
+vpViewSphere &vpMbMultiCueTracker::Impl::viewSphere()
+{
+  if (!sphere) {
+    vpViewSphereOptions options;
+    options.points = 100;
+    sphere = std::make_unique<vpViewSphere>(model, options,
+                                            model->isConvex() ? nullptr : vpModelRenderer::create(model, preference));
+    poseScore.setSphere(sphere.get());
+    aligner.setSphere(sphere.get());
+  }
+  return *sphere;
+}
+
+void vpMbMultiCueTracker::Impl::scoreFrame(const vpCueFrame &frame)
+{
+  if (scoredFrame != frame.number()) {
+    scoreRegion(frame, {0, 0, static_cast<int>(frame.width()), static_cast<int>(frame.height())});
+    scoredFrame = frame.number();
+  }
+}
+
+void vpMbMultiCueTracker::Impl::scoreRegion(const vpCueFrame &frame, const vpImageRegion &region)
+{
+  viewSphere();
+  const vpStopwatch stage(timings.map);
+  distanceMap.compute(frame, region);
+  const bool hasColors = uses(COLOR_TRACKER) && color.histograms().isKnown();
+  if (hasColors) {
+    oddsMap.compute(frame, color.histograms(), region);
+    aligner.setImage(oddsMap, frame.camera(), frame.width(), frame.height());
+  }
+  if (type != EDGE_TRACKER) {
+    surface.setFrame(frame);
+  }
+  poseScore.setWeights(reliability(unsteadiness.edges), reliability(unsteadiness.color),
+                       reliability(unsteadiness.surface));
+  poseScore.setImage(uses(EDGE_TRACKER) ? &distanceMap : nullptr, hasColors ? &oddsMap : nullptr,
+                     type != EDGE_TRACKER ? &surface : nullptr, frame.camera(), frame.width(), frame.height());
+}
+
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
+  surface.reset();
+  searched.clear();
+  lostFrames = 0;
+  confirmations = 0;
+  mustConfirm = false;
+  scoredFrame = 0;
+  particles.clear();
   edges = vpEdgeCue(edges.settings());
   textureSupport.reset(viewOptions);
   color.reset();
   usesPoints = true;
   usual = Agreement();
+  unsteadiness = Agreement();
   surprise.fill(firstSurprise);
   if (points) {
     points->reset();
@@ -158,6 +215,8 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   minimisations = 0;
   expected = 0;
   good = 0;
+  supportOf.fill(Support());
+  outcome = vpMbTrackingResult::Reason::NOT_STARTED;
 }
 
 END_VISP_NAMESPACE

@@ -2,6 +2,9 @@
 #ifndef vpTrackerState_h
 #define vpTrackerState_h
 
+#include "particles/vpTrackerParticles.h"
+#include "search/vpBlobFinder.h"
+#include "search/vpPoseSearch.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpPoseUncertainty.h"
 #include "tracker/vpTextureSupport.h"
@@ -22,6 +25,9 @@ struct vpMbMultiCueTracker::Agreement
   double edges = 0.;
   double color = 0.;
   double points = 0.;
+  double surface = 0.;
+  double surfaceKnown = 0.;  //!< Share of it that is remembered.
+  double surfaceWeight = 0.; //!< Share of it that is remembered and tells poses apart.
 };
 
 //! Everything behind vpMbMultiCueTracker that vpMbTracker does not hold.
@@ -44,12 +50,40 @@ public:
   void makeCues();
   //! Depth at a pose, for new points. Null where the model cannot be drawn.
   const vpRenderedView *renderDepth(const vpHomogeneousMatrix &cMo);
+  //! Views from all around; made when first needed.
+  vpViewSphere &viewSphere();
+  //! Lets poseScore look at a frame; all of the image.
+  void scoreFrame(const vpCueFrame &frame);
+  double surpriseAt(const vpHomogeneousMatrix &cMo) const;
+  static double shareOf(double value, double usual);
+  static double reliability(double variance);
+  //! Share of the object's outline at a pose that is in the image.
+  double insideShare(const vpHomogeneousMatrix &cMo);
+  //! Angle from the last trusted pose, in half turns.
+  double turnSince(const vpHomogeneousMatrix &cMo) const;
+  //! The same for a part of the image.
+  void scoreRegion(const vpCueFrame &frame, const vpImageRegion &region);
+  void settle(vpPoseSearch &search);
+  void scatterOverBlobs(const vpCueFrame &frame, vpPoseSearch &search, double rotation, std::size_t number);
   //! Forgets what was learnt from images.
   void forgetImages();
-  //! Features that were looked for.
-  unsigned int countExpected() const;
-  //! Features that the robust estimation kept.
-  unsigned int countGood() const;
+  //! Features of one cue, or of all of them.
+  struct Support
+  {
+    unsigned int expected = 0; // That were searched for.
+    unsigned int good = 0;     // That the robust estimation kept.
+  };
+  static std::size_t indexOf(int cue) { return cue == EDGE_TRACKER ? 0 : cue == COLOR_TRACKER ? 1 : 2; }
+  //! Counts the features of the last frame. \param estimated False where there is no pose for them to support.
+  void countSupport(bool estimated);
+  //! Share of the features that support the pose.
+  double support() const { return expected == 0 ? 0. : static_cast<double>(good) / expected; }
+  //! How far to believe the pose, [0, 1].
+  double score() const;
+  //! What a cue has to say, but for its reason.
+  vpMbTrackingResult::Cue resultOf(int cue) const;
+  //! The outcome as a sentence.
+  std::string reasonText() const;
   //! Of the best pose hypothesis, pixels; infinite where there is none.
   double bestResidue() const
   {
@@ -73,15 +107,19 @@ public:
   bool isTrusted() const { return type == EDGE_TRACKER || state == vpTrackingState::TRACKING; }
   //! True where the prediction is still better than the last pose, for an object that is not seen.
   bool mayCoast() const { return predicts && kalman.isStarted() && sinceUpdate < longestCoast; }
-  //! Of the object's box, object frame, metres.
-  Eigen::Vector3d centre() const { return 0.5 * (model->boxMin() + model->boxMax()); }
-  //! The frame with the object's orientation there.
+  //! The frame with the object's orientation at the middle of its box.
   vpHomogeneousMatrix centreFrame() const
   {
-    const Eigen::Vector3d at = centre();
+    const Eigen::Vector3d at = model->centre();
     return vpHomogeneousMatrix(vpTranslationVector(at.x(), at.y(), at.z()), vpRotationMatrix());
   }
   bool uses(int cue) const { return (type & cue) != 0; }
+  //! True where the Kalman filter has to follow the object.
+  bool usesVelocity() const
+  {
+    const vpParticleSettings &settings = particles.settings();
+    return predicts || (settings.enabled && settings.motion == vpParticleSettings::VELOCITY);
+  }
   //! Why a cue that was matched gave no equation.
   std::string missingRows(int cue) const;
 
@@ -126,20 +164,41 @@ public:
   unsigned int width = 0;           // Of the images since init(); 0 before it.
   unsigned int height = 0;
 
+  vpTrackerParticles particles;
+
+  // Search for poses.
+  bool searches = false;
+  std::unique_ptr<vpViewSphere> sphere;
+  vpOrientedDistanceMap distanceMap;
+  vpColorOddsMap oddsMap;
+  vpSurfaceMemory surface;
+  vpPoseScore poseScore;
+  vpBlobFinder blobs;
+  vpContourAligner aligner;
+  unsigned long long scoredFrame = 0;
+  std::vector<vpPoseCandidate> searched; // The best ones of the frames before, while the object is lost.
+  unsigned int lostFrames = 0;           // On end.
+  bool mustConfirm = false;
+  unsigned int confirmations = 0; // Frames that explained a pose on end since the object was lost.
+
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
   vpPoseUncertainty uncertainty; // Of the last frame.
   vpPosePrior prior;
-  vpResidualBlock block; // Scratch memory.
-  Agreement agreement;   // At the pose that was judged last.
-  Agreement usual;       // Mean over the trusted frames.
+  vpResidualBlock block;  // Scratch memory.
+  Agreement agreement;    // At the pose that was judged last.
+  Agreement usual;        // Mean over the trusted frames.
+  Agreement unsteadiness; // Variance of its share of the usual one over the trusted frames.
   double bestExplained = 0.;
+  std::vector<vpHomogeneousMatrix> attempted; // Poses that attempts of this frame led to.
+  double bestValue = 0.;                      // What attempts are compared by.
   static constexpr double longestCoast = 0.5; // Seconds.
   static constexpr double leastUsual = 0.4;   // What a right pose has at least, whatever the frames before had.
   vpHomogeneousMatrix bestPose;               // Of the attempts in this frame.
   bool bestIsLast = false;
   bool bestUsesPoints = false;
   vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.
+  vpHomogeneousMatrix startPose;             // Of the attempt that goes on.
   std::array<double, 2> surprise = {0., 0.}; // Mean squared distance from it, in diameters and radians.
   vpColVector weightedError;
   vpColVector errorBefore;
@@ -158,10 +217,12 @@ public:
 
   // Outcome.
   vpTrackingState state = vpTrackingState::UNCERTAIN;
+  vpMbTrackingResult::Reason outcome = vpMbTrackingResult::Reason::NOT_STARTED;
   std::string reason;
-  bool isJudged = false;     // An image was tracked since the start.
-  unsigned int expected = 0; // Features that were searched for.
-  unsigned int good = 0;     // That the robust estimation kept.
+  bool isJudged = false;            // An image was tracked since the start.
+  unsigned int expected = 0;        // Features that were searched for.
+  unsigned int good = 0;            // That the robust estimation kept.
+  std::array<Support, 3> supportOf; // Both for each cue, by indexOf().
   vpTrackingTimings timings;
   vpHomogeneousMatrix trusted; // The last pose that was started from or tracked.
 };

@@ -3,13 +3,15 @@
 #define vpMbMultiCueTracker_h
 
 #include <visp3/cues/vpColorCueSettings.h>
+#include <visp3/cues/vpImageRegion.h>
 #include <visp3/klt/vpKltOpencv.h>
 #include <visp3/mbt/vpMbTracker.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
+#include <visp3/multicue/vpMbTrackingResult.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
-#include <visp3/multicue/vpTrackingState.h>
-#include <visp3/multicue/vpTrackingTimings.h>
+#include <visp3/multicue/vpParticleSettings.h>
 #include <visp3/se3/vpPoseKalmanFilter.h>
+#include <visp3/se3/vpPoseModes.h>
 
 #include <memory>
 
@@ -112,6 +114,8 @@ public:
   */
   void track(const vpImage<unsigned char> &I) override;
   void track(const vpImage<vpRGBa> &I_color) override;
+  //! All that is known of the last frame in one copy: pose, state, how far to believe it and why.
+  vpMbTrackingResult getTrackingResult() const;
   //! How the last frame went; UNCERTAIN before the first one.
   vpTrackingState getTrackingState() const;
   //! Share of the features that the robust estimation kept in the last frame, [0, 1]. The state is judged by it with
@@ -156,6 +160,14 @@ public:
   //! default. \throw vpException naming what is out of range.
   void setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings);
   vpPoseHypothesisSettings getPoseHypothesisSettings() const;
+  /*!
+    Many poses at once ([T10] III), see \ref multicue_particles. With edges alone the pose is theirs; with several cues
+    they follow the poses that were estimated, and tell what else the image allows. Off by default. The next frame
+    starts with the new settings; init() and setPose() start the particles about the pose.
+    \throw vpException naming what is out of range; the old settings then stay.
+  */
+  void setParticleSettings(const vpParticleSettings &settings);
+  vpParticleSettings getParticleSettings() const;
   void setColorSettings(const vpColorCueSettings &settings);
   vpColorCueSettings getColorSettings() const;
   /*!
@@ -173,6 +185,15 @@ public:
   void setPredictedRange(bool flag);
   //! Time between two images for the prediction. \param seconds > 0, default 1/30; may change from image to image.
   void setFrameInterval(double seconds);
+  /*!
+    Looks for a lost object in all of the image and turned any way, see \ref multicue_search; with several cues, best
+    with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
+    confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
+    takes ten to thirty times as long as others, 50 to 120 ms with 320 x 240 pixels on one core of a shared server. Off
+    by default; of no effect with edges alone.
+    \param flag On or off; may change between frames, and init() begins anew.
+  */
+  void setSearch(bool flag);
   virtual void setKltOpencv(const vpKltOpencv &klt);
   virtual vpKltOpencv getKltOpencv() const;
   virtual void setKltMaskBorder(const unsigned int &border);
@@ -221,6 +242,12 @@ public:
   const std::vector<vpPoseHypothesis> &getPoseHypotheses() const;
   //! Number of combinations of potential edges that were minimised for the last image.
   unsigned int getNbPoseMinimisations() const;
+  //! The particles of the last frame, those that were optimised at the end; empty where they are off or not started.
+  std::vector<vpPoseParticle> getParticles() const;
+  //! Where they gather, the heaviest mode first; the covariances are in the object's frame. Empty as getParticles() is.
+  std::vector<vpPoseMode> getPoseModes() const;
+  //! Weighted mean of all particles ([T10] III-B2); the pose where there are none.
+  vpHomogeneousMatrix getParticleMean() const;
   //! Number of points that were found in the last image.
   virtual unsigned int getNbFeaturesKlt() const;
   //! Number of lines across the silhouette that entered the pose.
@@ -248,6 +275,9 @@ public:
   //! Has display() draw the potential edges, the likely ones in dark gray and the unlikely ones in light gray ([T10]
   //! figure 4), and the poses of getPoseHypotheses() in colours of their own. Off by default.
   void setDisplayHypotheses(bool flag);
+  //! Has display() draw the 30 heaviest particles, the heavier the darker, and the modes in colours of their own. Off
+  //! by default.
+  void setDisplayParticles(bool flag);
   //@}
 
 protected:
@@ -294,6 +324,13 @@ private:
   bool takeAttempt(bool estimated);
   void tryOthers(const vpCueFrame &frame);
   void tryTurns(const vpCueFrame &frame);
+  bool isDecisive() const;
+  bool isContradicted() const;
+  bool attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void searchNear(const vpCueFrame &frame);
+  void searchEverywhere(const vpCueFrame &frame);
+  void confirm();
+  void confirmState();
   bool refineFused(const vpCueFrame &frame);
   bool isBelievable() const;
   void setPrior();
@@ -314,6 +351,23 @@ private:
   bool estimate(const vpCueFrame &frame);
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth = false);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void moveParticles(const vpCueFrame &frame);
+  vpImageRegion particleRegion(const vpCueFrame &frame) const;
+  bool estimateFrom(const vpCueFrame &frame, bool matched);
+  void lookAround(const vpCueFrame &frame);
+  void weighParticles(const vpCueFrame &frame);
+  void optimiseRivals(const vpCueFrame &frame);
+  void searchRivals(const vpCueFrame &frame);
+  void compareRivals(const vpCueFrame &frame);
+  void takeRival(const vpCueFrame &frame, const vpHomogeneousMatrix &cMb, bool isOld);
+  void optimiseParticles(const vpCueFrame &frame);
+  void viewCoarsely(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void takeHypotheses();
+  void takeParticleMean();
+  template <typename Pixel>
+  void displayParticlesOn(const vpImage<Pixel> &I, const vpCameraParameters &cam, unsigned int thickness);
+  double distanceAt(const vpHomogeneousMatrix &cMb) const;
+  void updateParticles(const vpCueFrame &frame, const std::vector<vpHomogeneousMatrix> &proposals);
   bool proposePose(const vpCueFrame &frame);
   bool findPoses(unsigned int limit, double decisive);
   bool reachFarther(const vpCueFrame &frame, const vpHomogeneousMatrix &cMoStart);

@@ -7,6 +7,7 @@
 #include <visp3/cues/vpEdgeCue.h>
 #include <visp3/cues/vpPointCue.h>
 #include <visp3/model/vpModelView.h>
+#include <visp3/multicue/vpParticleSettings.h>
 #include <visp3/multicue/vpPoseHypotheses.h>
 #include <visp3/se3/vpPoseKalmanFilter.h>
 
@@ -21,12 +22,14 @@ struct VISP_EXPORT vpMultiCueSettings
   int cues = 1; //!< Sum of vpMbMultiCueTracker::vpTrackerType values, see vpMbMultiCueTracker::setTrackerType().
   vpEdgeCueSettings edge;
   vpPoseHypothesisSettings hypotheses;
+  vpParticleSettings particles;
   vpModelViewOptions view; //!< Its details are set by the tracker, from the three members below.
   vpPointCueSettings klt;
   vpColorCueSettings color;
   bool predicts = false;           //!< Start each frame at a predicted pose, see vpMbMultiCueTracker::setPrediction().
   vpPoseKalmanSettings prediction; //!< How the object is taken to move.
   double frameInterval = 1. / 30.; //!< Time between two images, seconds, > 0.
+  bool searches = false;           //!< Look for a lost object everywhere, see vpMbMultiCueTracker::setSearch().
   bool useLod = false;             //!< Leave out what is small in the image, see vpMbTracker::setLod().
   double minLineLength = 50.;      //!< With useLod: shortest line, pixels, >= 0.
   double minPolygonArea = 2500.;   //!< With useLod: smallest face, square pixels, >= 0.
@@ -51,10 +54,13 @@ struct VISP_EXPORT vpMultiCueSettings
   than ViSP's parser, this one refuses nodes that it does not know, text that is no number, and decimals that ViSP would
   cut off.
 
-  **JSON**: the list *cues* of one or more of "edge", "color" and "point", and an object for each of
+  **JSON**: the list *cues* of one or more of "edge", "color" and "point", and an object, or what is said, for each of
   - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
   - edge: range, contrast, mu1, mu2, maskSize, candidates;
   - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, reach, seed;
+  - particles: enabled, number, leastNumber, mostNumber, budget, translationNoise, rotationNoise, motionNoise,
+    jumpShare, jumpFactor, noiseFrame ("object" or "camera"), motion ("random walk" or "velocity"), lambda, sharpness,
+    bestShare, mostOptimised, output ("mean" or "best mode"), modeTranslation, modeRotation, seed;
   - view: sampleStep, appearAngle, disappearAngle, nearDistance, farDistance, border, visibilitySize, textureEdges,
     clipToImage;
   - klt: maxFeatures, windowSize, quality, minDistance, harris, blockSize, pyramidLevels, maskBorder;
@@ -62,6 +68,7 @@ struct VISP_EXPORT vpMultiCueSettings
     learningRate, rows ("lines" or "pixels"); scales and bands are lists of numbers;
   - prediction: enabled, frameInterval, translationWander, rotationWander, startTranslation, startRotation, longestGap,
     smooth;
+  - search: true or false, no object;
   - lod: use, minLineLength, minPolygonArea,
 
   all of them optional, with the units and ranges of the members of the same name. Comments are allowed.

@@ -13,11 +13,13 @@ BEGIN_VISP_NAMESPACE
 */
 struct vpTrackingTimings
 {
-  double frame = 0.; //!< Gray levels, undistortion.
-  double view = 0.;  //!< What of the model is visible.
-  double match = 0.; //!< Search for its features in the image.
-  double pose = 0.;  //!< Minimisation.
-  double total = 0.; //!< All of track(), the rest included.
+  double frame = 0.;     //!< Gray levels, undistortion.
+  double view = 0.;      //!< What of the model is visible.
+  double match = 0.;     //!< Search for its features in the image.
+  double pose = 0.;      //!< Minimisation.
+  double map = 0.;       //!< Distances to image edges, and colours, for the likelihood of many poses.
+  double particles = 0.; //!< Particles: their likelihoods, weights and modes.
+  double total = 0.;     //!< All of track(), the rest included.
 };
 
 END_VISP_NAMESPACE

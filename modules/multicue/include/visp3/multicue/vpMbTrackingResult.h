@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpMbTrackingResult_h
+#define vpMbTrackingResult_h
+
+#include <visp3/core/vpHomogeneousMatrix.h>
+#include <visp3/core/vpMatrix.h>
+#include <visp3/multicue/vpPoseHypotheses.h>
+#include <visp3/multicue/vpTrackingState.h>
+#include <visp3/multicue/vpTrackingTimings.h>
+
+#include <string>
+#include <vector>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  \ingroup group_multicue
+  All that vpMbMultiCueTracker says of a frame, by vpMbMultiCueTracker::getTrackingResult(): a copy, which stays as it
+  is when the tracker goes on.
+*/
+struct vpMbTrackingResult
+{
+  //! Why the state is what it is.
+  enum class Reason
+  {
+    NOT_STARTED,      //!< There is no pose to start from, or no image was tracked since the start.
+    WELL_EXPLAINED,   //!< TRACKING: the image looks as it should at the pose.
+    PARTLY_EXPLAINED, //!< UNCERTAIN: it does so in part.
+    CONFIRMING,       //!< UNCERTAIN: too little of the object is in the image, or it was found again just now.
+    NOTHING_SEEN,     //!< LOST: no pose could be estimated.
+    FEW_FEATURES,     //!< LOST: a pose was estimated, but too few features support it.
+    CONTRADICTED,     //!< LOST: enough features support it, and yet the image does not look as it should.
+    COASTING          //!< LOST, for any of these reasons, and \e cMo is the pose that the motion before lets expect.
+  };
+
+  //! What one of the chosen cues had to say. A feature is a control point of an edge, a line across the silhouette, or
+  //! one of the two coordinates of a point on the surface.
+  struct Cue
+  {
+    int type = 0;              //!< vpMbMultiCueTracker::vpTrackerType.
+    std::string name;          //!< "edge", "point" or "color", as in JSON settings.
+    unsigned int expected = 0; //!< Features that were looked for.
+    unsigned int good = 0;     //!< Those that the robust estimation kept.
+    /*!
+      How well the cue agrees with the pose, at least 0: 1 for edges and points that are where they should be, and about
+      1 for colours. The state is judged by it where cues are fused; not a number where the cue is not asked: edges
+      alone, and points beside other cues.
+    */
+    double agreement = 0.;
+    std::string reason; //!< vpMbMultiCueTracker::getCueReason(): empty where the cue took part in the pose.
+  };
+
+  vpHomogeneousMatrix cMo; //!< Object to camera, metres.
+  //! 6 x 6 of vpMbTracker::getCovarianceMatrix(), metres and radians. Empty where setCovarianceComputation() is off.
+  vpMatrix covariance;
+  vpTrackingState state = vpTrackingState::UNCERTAIN;
+  //! How far to believe the pose, [0, 1]; 0 before the first image. Larger is better, but it is no probability.
+  double score = 0.;
+  Reason reason = Reason::NOT_STARTED;
+  std::string text; //!< The reason as a sentence, with numbers, for a log.
+  std::vector<Cue> cues;
+  std::vector<vpPoseHypothesis> hypotheses; //!< vpMbMultiCueTracker::getPoseHypotheses().
+  vpTrackingTimings timings;                //!< vpMbMultiCueTracker::getTimings(), milliseconds.
+};
+
+//! \ingroup group_multicue \return The reason's name, "WELL_EXPLAINED" for instance.
+VISP_EXPORT const char *toString(vpMbTrackingResult::Reason reason);
+
+END_VISP_NAMESPACE
+#endif

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "search/vpPoseSearch.h"
+
+#include <visp3/se3/vpPoseRandom.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const double half = 0.5; // Deviations of a layer, in those of the layer before it.
+} // namespace
+
+vpPoseSearch::vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed)
+    : m_score(score), m_centre(model.centre()), m_diameter(model.diameter()), m_seed(seed)
+{
+}
+
+void vpPoseSearch::setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight)
+{
+  m_priorPose = cMo;
+  m_priorSpread = spread;
+  m_priorWeight = weight;
+}
+
+vpHomogeneousMatrix vpPoseSearch::draw(const vpHomogeneousMatrix &cMo, const Spread &spread)
+{
+  vpPoseRandom random(m_seed, {m_draws++});
+  const vpPoseTangent noise = random.normalTangent();
+  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
+  const Eigen::Vector3d at = pose * m_centre;
+  const Eigen::Vector3d sight = at.normalized();
+  Eigen::Vector3d shift = spread.translation * m_diameter * noise.head<3>();
+  shift += (spread.depth * m_diameter * noise[2] - shift.dot(sight)) * sight;
+  const Eigen::Vector3d turn = spread.rotation * noise.tail<3>();
+  const double angle = turn.norm();
+  const Eigen::Matrix3d rotation =
+      pose.linear() *
+      (angle > 0. ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity());
+  Eigen::Isometry3d drawn = Eigen::Isometry3d::Identity();
+  drawn.linear() = rotation;
+  drawn.translation() = at + shift - rotation * m_centre;
+  return vpPoseExponential::fromEigen(drawn);
+}
+
+// In deviations; large for poses that are apart. An image tells distances from the camera least, so they have a unit of
+// their own.
+double vpPoseSearch::distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const
+{
+  const Eigen::Isometry3d first = vpPoseExponential::toEigen(a);
+  const Eigen::Isometry3d second = vpPoseExponential::toEigen(b);
+  const Eigen::Vector3d from = first * m_centre;
+  const Eigen::Vector3d to = second * m_centre;
+  const Eigen::Vector3d sight = (from + to).normalized();
+  const double along = sight.dot(to - from);
+  const double shift = ((to - from) - along * sight).norm() / (m_diameter * unit.translation);
+  const double depth = along / (m_diameter * unit.depth);
+  const double cosine = 0.5 * ((first.linear().transpose() * second.linear()).trace() - 1.);
+  const double angle = std::acos(std::min(std::max(cosine, -1.), 1.)) / unit.rotation;
+  return std::sqrt(shift * shift + depth * depth + angle * angle);
+}
+
+double vpPoseSearch::scoreOf(const vpHomogeneousMatrix &cMo)
+{
+  ++m_scored;
+  const double score = m_score(cMo).total;
+  if (!(m_priorWeight > 0.)) {
+    return score;
+  }
+  const double d = distance(cMo, m_priorPose, m_priorSpread);
+  return score - m_priorWeight * d * d;
+}
+
+void vpPoseSearch::align(const vpContourAligner &aligner, double reach, unsigned int steps)
+{
+  for (vpPoseCandidate &candidate : m_candidates) {
+    Eigen::Isometry3d pose = vpPoseExponential::toEigen(candidate.cMo);
+    for (unsigned int i = 0; i < steps && aligner.step(pose, reach); ++i) {
+    }
+    if (pose.matrix().allFinite()) {
+      candidate.cMo = vpPoseExponential::fromEigen(pose);
+    }
+  }
+}
+
+void vpPoseSearch::addCopies()
+{
+  m_candidates.insert(m_candidates.end(), m_copies.begin(), m_copies.end());
+  m_copies.clear();
+}
+
+void vpPoseSearch::score()
+{
+  for (vpPoseCandidate &candidate : m_candidates) {
+    candidate.score = scoreOf(candidate.cMo);
+  }
+}
+
+void vpPoseSearch::scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
+                                 std::size_t number)
+{
+  Eigen::Isometry3d moved = vpPoseExponential::toEigen(cMo);
+  // Seen from another direction, the same rotation shows another side.
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(moved * m_centre, centre);
+  moved.linear() = turn * moved.linear();
+  moved.translation() = centre - moved.linear() * m_centre;
+  scatter({vpPoseExponential::fromEigen(moved)}, spread, number);
+}
+
+void vpPoseSearch::scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number)
+{
+  for (const vpHomogeneousMatrix &start : starts) {
+    m_candidates.push_back({start, 0.});
+  }
+  for (std::size_t i = 0; i < number && !starts.empty(); ++i) {
+    m_candidates.push_back({draw(starts[i % starts.size()], spread), 0.});
+  }
+}
+
+void vpPoseSearch::keepBest(std::size_t keep, const Spread &apart)
+{
+  std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                   [](const vpPoseCandidate &a, const vpPoseCandidate &b) { return a.score > b.score; });
+  std::vector<vpPoseCandidate> kept;
+  for (const vpPoseCandidate &candidate : m_candidates) {
+    if (kept.size() == keep) {
+      break;
+    }
+    const bool isNew = std::none_of(kept.begin(), kept.end(), [&](const vpPoseCandidate &other) {
+      return distance(candidate.cMo, other.cMo, apart) < 1.;
+    });
+    if (isNew) {
+      kept.push_back(candidate);
+    }
+  }
+  m_candidates = std::move(kept);
+}
+
+void vpPoseSearch::anneal(Spread spread, std::size_t keep, std::size_t number, unsigned int layers)
+{
+  for (unsigned int layer = 0; layer < layers; ++layer) {
+    keepBest(keep, spread);
+    spread.translation *= half;
+    spread.rotation *= half;
+    spread.depth *= half;
+    const std::vector<vpPoseCandidate> parents = m_candidates;
+    for (std::size_t i = 0; i < number && !parents.empty(); ++i) {
+      const vpHomogeneousMatrix cMo = draw(parents[i % parents.size()].cMo, spread);
+      m_candidates.push_back({cMo, scoreOf(cMo)});
+    }
+  }
+  keepBest(keep, spread);
+}
+
+END_VISP_NAMESPACE

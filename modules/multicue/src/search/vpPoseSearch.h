@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpPoseSearch_h
+#define vpPoseSearch_h
+
+#include "search/vpContourAligner.h"
+#include "search/vpPoseScore.h"
+
+#include <visp3/se3/vpPoseExponential.h>
+
+#include <cstdint>
+#include <vector>
+
+BEGIN_VISP_NAMESPACE
+
+// A pose that was looked at.
+struct vpPoseCandidate
+{
+  vpHomogeneousMatrix cMo;
+  double score = 0.;
+};
+
+/*
+  Draws poses where a score is high, in layers of less and less noise: from a few starts, or from all around the object.
+  Poses turn about the middle of the object's box.
+*/
+class vpPoseSearch
+{
+public:
+  // How far around its starts a search goes.
+  struct Spread
+  {
+    double translation = 0.1; // Deviation, in diameters.
+    double rotation = 0.3;    // Deviation, radians.
+    double depth = 0.1;       // Deviation along the line of sight, in diameters.
+  };
+
+  vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed);
+
+  // Poses of the first layer, without a score; the starts are among them.
+  void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
+  // Poses near to a start are likelier than those far from it; before the first score().
+  void setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight);
+  // Orientations all around, at a point of the line of sight through a pixel; see spread for depth and translation.
+  void scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
+                     std::size_t number);
+  // Keeps all candidates as they are, to be added again after they were aligned.
+  void keepCopies() { m_copies = m_candidates; }
+  void addCopies();
+  // Lets all of them slide to where their silhouettes separate the colours, and scores them.
+  void align(const vpContourAligner &aligner, double reach, unsigned int steps);
+  void score();
+  // Keeps the best ones that are apart from each other, and draws around these with less and less noise.
+  void anneal(Spread spread, std::size_t keep, std::size_t number, unsigned int layers);
+  // The best one first.
+  const std::vector<vpPoseCandidate> &candidates() const { return m_candidates; }
+  std::size_t scored() const { return m_scored; }
+  // Those that are less than one spread from a better one are left out, a shift along the line of sight counted by the
+  // depth's; at most keep are left.
+  void keepBest(std::size_t keep, const Spread &apart);
+
+private:
+  double scoreOf(const vpHomogeneousMatrix &cMo);
+  vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, const Spread &spread);
+  double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
+
+  const vpPoseScore &m_score;
+  Eigen::Vector3d m_centre;
+  double m_diameter;
+  std::uint64_t m_seed;
+  std::uint64_t m_draws = 0;
+  std::size_t m_scored = 0;
+  std::vector<vpPoseCandidate> m_candidates;
+  std::vector<vpPoseCandidate> m_copies;
+  vpHomogeneousMatrix m_priorPose;
+  Spread m_priorSpread;
+  double m_priorWeight = 0.;
+};
+
+END_VISP_NAMESPACE
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpStopwatch.h"
+#include "tracker/vpTrackerState.h"
+
+#include <visp3/se3/vpPoseRandom.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// Around the expected pose, where the image does not look as it should.
+const vpPoseSearch::Spread nearSpread = {0.12, 0.35, 0.15};
+const std::size_t nearNumber = 80;
+const std::size_t modeNumber = 10; // Around each mode of the particles.
+const std::size_t keptParents = 24;
+const std::size_t children = 200;
+const unsigned int layers = 3;
+const std::size_t mostAttempts = 4;
+// Poses that differ by less than this are refined to the same one.
+const vpPoseSearch::Spread sameSpread = {0.05, 0.15, 0.1};
+const double priorWeight = 0.02;
+
+// Everywhere: while the object is lost.
+const std::size_t wideNumber = 500;
+// Of the colours: below it, poses are looked at where they were drawn, too.
+const double leastReliability = 0.6;
+const std::size_t mostBlobs = 4;
+// Side of a window that the object fills, in projected diameters.
+const double windowShare = 0.5;
+const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
+} // namespace
+
+// One more start. \return True where the pose that it leads to is enough.
+bool vpMbMultiCueTracker::attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+{
+  Impl &impl = *m_impl;
+  m_cMo = cMo;
+  impl.startPose = cMo;
+  updateView(frame, m_cMo, 0.);
+  if (impl.uses(COLOR_TRACKER)) {
+    estimateByCoarseColors(frame);
+  }
+  return takeAttempt(refineFused(frame));
+}
+
+// The likeliest poses around the one that is expected, the best ones estimated with all cues.
+void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  impl.scoreFrame(frame);
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setPrior(impl.expectedPose, nearSpread, priorWeight);
+  search.scatter({impl.expectedPose}, nearSpread, nearNumber);
+  for (const vpPoseMode &mode : getPoseModes()) { // What the frames before left open.
+    search.scatter({mode.cMo}, sameSpread, modeNumber);
+  }
+  impl.settle(search);
+  search.keepBest(mostAttempts, sameSpread);
+  for (const vpPoseCandidate &candidate : search.candidates()) {
+    if (attemptFrom(frame, candidate.cMo)) {
+      break;
+    }
+  }
+}
+
+// All around and in all of the image; the best poses of the frames before are among the starts.
+void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  impl.scoreFrame(frame);
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  const double growth = 1. + spreadPerFrame * impl.lostFrames;
+  vpPoseSearch::Spread spread = nearSpread;
+  spread.translation = std::min(spread.translation * growth, 0.6);
+  spread.rotation = std::min(spread.rotation * growth, 2.);
+  spread.depth = std::min(spread.depth * growth, 0.8);
+  search.setPrior(impl.trusted, spread, priorWeight);
+  search.scatter({impl.expectedPose, impl.trusted}, spread, wideNumber / 4);
+  impl.scatterOverBlobs(frame, search, spread.rotation, wideNumber);
+  for (const vpPoseCandidate &candidate : impl.searched) {
+    search.scatter({candidate.cMo}, nearSpread, children / mostAttempts);
+  }
+  impl.settle(search);
+  search.keepBest(mostAttempts, sameSpread);
+  impl.searched = search.candidates();
+  for (const vpPoseCandidate &candidate : impl.searched) {
+    if (attemptFrom(frame, candidate.cMo)) {
+      break;
+    }
+  }
+}
+
+double vpMbMultiCueTracker::Impl::turnSince(const vpHomogeneousMatrix &cMo) const
+{
+  const Eigen::Matrix3d turn = vpPoseExponential::toEigen(trusted.inverse() * cMo).linear();
+  return Eigen::AngleAxisd(turn).angle() / M_PI;
+}
+
+double vpMbMultiCueTracker::Impl::insideShare(const vpHomogeneousMatrix &cMo)
+{
+  viewSphere();
+  poseScore.setImage(nullptr, nullptr, nullptr, frameCamera, width, height);
+  scoredFrame = 0;
+  return poseScore(cMo).inside;
+}
+
+// From poses drawn far and wide to a few that are as good as they can be told from views made beforehand.
+void vpMbMultiCueTracker::Impl::settle(vpPoseSearch &search)
+{
+  if (uses(COLOR_TRACKER) && color.histograms().isKnown()) {
+    if (reliability(unsteadiness.color) < leastReliability) {
+      search.keepCopies(); // Colours may lead away from the object.
+    }
+    search.align(aligner, 0.15, 2);
+    search.align(aligner, 0.08, 1);
+    search.addCopies();
+    search.score();
+    search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
+    search.align(aligner, 0.05, 2);
+    search.score();
+    search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
+  } else {
+    search.score();
+    search.anneal(nearSpread, keptParents, children, layers);
+  }
+}
+
+// Orientations at the places that have the object's colours.
+void vpMbMultiCueTracker::Impl::scatterOverBlobs(const vpCueFrame &frame, vpPoseSearch &search, double rotation,
+                                                 std::size_t number)
+{
+  if (!uses(COLOR_TRACKER) || !color.histograms().isKnown()) {
+    return;
+  }
+  const double depth = (vpPoseExponential::toEigen(trusted) * model->centre()).z();
+  const vpCameraParameters &cam = frame.camera();
+  const double size = windowShare * cam.get_px() * model->diameter() / depth;
+  const std::vector<vpBlob> &found = blobs.find(oddsMap, frame.width(), frame.height(), size, mostBlobs);
+  double total = 0.;
+  for (const vpBlob &blob : found) {
+    total += blob.contrast * blob.contrast;
+  }
+  for (const vpBlob &blob : found) {
+    const double x = (blob.u - cam.get_u0()) / cam.get_px();
+    const double y = (blob.v - cam.get_v0()) / cam.get_py();
+    const double z = depth * std::min(std::max(size / blob.size, 0.8), 1.25);
+    const double share = blob.contrast * blob.contrast / total;
+    search.scatterAround(z * Eigen::Vector3d(x, y, 1.), trusted, {0.08, rotation, 0.15},
+                         static_cast<std::size_t>(share * static_cast<double>(number)));
+  }
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpTrackerState.h"
+
+#include <visp3/core/vpTrackingException.h>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// Frames on end that have to explain a pose after a loss.
+const unsigned int neededConfirmations = 3;
+const unsigned int usualConfirmations = 6;
+const unsigned int doubtfulConfirmations = 15; // Where the surface looks like that of another pose.
+const double confirming = 0.75;                // Share of what is usually explained.
+const double insideToConfirm = 0.4;            // Share of the outline that is in the image.
+const double leastInside = 0.3;
+// Fewer points than this happen to agree anywhere.
+const unsigned int fewestGood = 8;
+} // namespace
+
+void vpMbMultiCueTracker::judge(bool estimated)
+{
+  Impl &impl = *m_impl;
+  impl.countSupport(estimated);
+  const double needed = impl.goodRatio * impl.expected;
+  if (impl.good < fewestGood || impl.good < 0.5 * needed) {
+    impl.state = vpTrackingState::LOST;
+    impl.outcome = impl.good == 0 ? vpMbTrackingResult::Reason::NOTHING_SEEN : vpMbTrackingResult::Reason::FEW_FEATURES;
+  } else {
+    impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
+    if (impl.type != EDGE_TRACKER) {
+      impl.state = impl.stateOf(impl.bestExplained);
+    }
+    impl.outcome = impl.state == vpTrackingState::TRACKING    ? vpMbTrackingResult::Reason::WELL_EXPLAINED
+                   : impl.state == vpTrackingState::UNCERTAIN ? vpMbTrackingResult::Reason::PARTLY_EXPLAINED
+                                                              : vpMbTrackingResult::Reason::CONTRADICTED;
+  }
+  impl.isJudged = true;
+  impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";
+}
+
+vpTrackingState vpMbMultiCueTracker::getTrackingState() const
+{
+  return m_impl->state;
+}
+
+double vpMbMultiCueTracker::getSupport() const
+{
+  return m_impl->support();
+}
+
+const vpTrackingTimings &vpMbMultiCueTracker::getTimings() const
+{
+  return m_impl->timings;
+}
+
+void vpMbMultiCueTracker::testTracking()
+{
+  if (m_impl->state == vpTrackingState::LOST) {
+    throw vpTrackingException(vpTrackingException::fatalError, "The object is lost: " + m_impl->reason);
+  }
+}
+
+void vpMbMultiCueTracker::setThrowOnLoss(bool flag)
+{
+  m_impl->throwOnLoss = flag;
+}
+
+// A pose is not trusted while hardly any of the object is in the image, nor after a loss before the next frames confirm
+// it.
+void vpMbMultiCueTracker::confirm()
+{
+  Impl &impl = *m_impl;
+  if (impl.type == EDGE_TRACKER || !impl.searches) {
+    return;
+  }
+  const vpTrackingState stateBefore = impl.state;
+  confirmState();
+  if (impl.state != stateBefore) {
+    impl.outcome = vpMbTrackingResult::Reason::CONFIRMING;
+  }
+}
+
+void vpMbMultiCueTracker::confirmState()
+{
+  Impl &impl = *m_impl;
+  if (impl.state == vpTrackingState::LOST) {
+    ++impl.lostFrames;
+    impl.confirmations = 0;
+    impl.mustConfirm = true;
+    return;
+  }
+  if (impl.state == vpTrackingState::TRACKING && impl.insideShare(m_cMo) < leastInside) {
+    impl.state = vpTrackingState::UNCERTAIN;
+  }
+  if (!impl.mustConfirm) {
+    return;
+  }
+  if (impl.state != vpTrackingState::TRACKING || impl.bestExplained < confirming ||
+      impl.insideShare(m_cMo) < insideToConfirm) {
+    impl.state = std::max(impl.state, vpTrackingState::UNCERTAIN);
+    ++impl.lostFrames;
+    impl.confirmations = 0;
+    return;
+  }
+  ++impl.confirmations;
+  const unsigned int needed =
+      isDecisive() ? neededConfirmations : (isContradicted() ? doubtfulConfirmations : usualConfirmations);
+  if (impl.confirmations >= needed) {
+    impl.mustConfirm = false;
+    impl.lostFrames = 0;
+    impl.searched.clear();
+  } else {
+    impl.state = vpTrackingState::UNCERTAIN;
+  }
+}
+
+END_VISP_NAMESPACE

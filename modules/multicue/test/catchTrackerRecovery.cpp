@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catchMain.h>
+
+#include "searchScenes.h"
+
+#include <meshFiles.h>
+
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+#include <visp3/se3/vpPoseRandom.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+using colorScenes::Scene;
+using searchScenes::displaced;
+
+const Eigen::Vector3d boxSize(0.2, 0.14, 0.1);
+const vpHomogeneousMatrix start = searchScenes::truePose();
+
+std::string writeBox(const std::string &name)
+{
+  std::ofstream file(name);
+  int count = 0;
+  for (const auto &side : modelShapes::boxPolygons(boxSize)) {
+    for (const Eigen::Vector3d &corner : side) {
+      file << "v " << corner.x() << " " << corner.y() << " " << corner.z() << "\n";
+    }
+    file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3 << " "
+         << count + 4 << "\n";
+    count += 4;
+  }
+  return name;
+}
+
+vpImage<vpRGBa> plainImage(const vpRGBa &color)
+{
+  return vpImage<vpRGBa>(colorScenes::height, colorScenes::width, color);
+}
+
+const vpRGBa black(0, 0, 0);
+
+//! A tracker of a printed box before a cluttered background, and what it said of the last frame.
+struct Tracked
+{
+  explicit Tracked(bool searches)
+  {
+    tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER |
+                           vpMbMultiCueTracker::COLOR_TRACKER);
+    tracker.setCameraParameters(colorScenes::makeCamera());
+    tracker.loadModel(writeBox(meshFiles::temporaryFile("recovery-box.obj")));
+    tracker.setPrediction(true);
+    tracker.setSearch(searches);
+    tracker.initFromPose(scene.draw(start), start);
+    for (int i = 1; i <= 12; ++i) { // Until it knows what the object looks like.
+      show(swaying(i));
+      REQUIRE(isTracking());
+      REQUIRE(isRight(swaying(i)));
+    }
+  }
+
+  //! Turns to and fro about where it starts.
+  static vpHomogeneousMatrix swaying(int i)
+  {
+    return displaced(start, {0.3, 1., 0.}, 6. * std::sin(0.5 * i), {0.002 * i, 0., 0.});
+  }
+
+  void show(const vpHomogeneousMatrix &cMo) { tracker.track(scene.draw(cMo)); }
+  bool isTracking() const { return tracker.getTrackingState() == vpTrackingState::TRACKING; }
+  bool isFinite() const
+  {
+    const vpHomogeneousMatrix cMo = tracker.getPose();
+    return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); });
+  }
+  bool isRight(const vpHomogeneousMatrix &truth) const
+  {
+    const searchScenes::Difference d = searchScenes::differenceOf(tracker.getPose(), truth, *tracker.getModel());
+    return d.degrees < 10. && d.diameters < 0.1;
+  }
+
+  //! Out of the image to the right, and away for some frames. \return Frames of the latter that are called TRACKING.
+  int leave()
+  {
+    for (int i = 1; i <= 8; ++i) {
+      show(displaced(swaying(12), Eigen::Vector3d::UnitX(), 0., {0.05 * i, 0., 0.}));
+    }
+    vpHomogeneousMatrix away = start;
+    away[0][3] = 2.;
+    int tracking = 0;
+    for (int i = 0; i < 4; ++i) {
+      show(away);
+      tracking += isTracking();
+    }
+    return tracking;
+  }
+
+  //! The image is black for ten frames. \return Frames that are called TRACKING.
+  int darken()
+  {
+    int tracking = 0;
+    for (int i = 0; i < 10; ++i) {
+      tracker.track(plainImage(black));
+      tracking += isTracking();
+    }
+    return tracking;
+  }
+
+  //! What becomes of it where it is shown at a pose again, and moves a bit.
+  static constexpr int never = 99;
+  struct Return
+  {
+    int right = never;      //!< First frame with the right pose, which all that follow have as well.
+    int confirmed = never;  //!< First frame that is called TRACKING.
+    int wronglyTracked = 0; //!< Frames that are called TRACKING with a wrong pose.
+  };
+  Return comeBack(const vpHomogeneousMatrix &cMo, int frames)
+  {
+    Return result;
+    for (int i = 1; i <= frames; ++i) {
+      const vpHomogeneousMatrix truth = displaced(cMo, Eigen::Vector3d::UnitZ(), 0.5 * i, {0.001 * i, 0., 0.});
+      show(truth);
+      result.right = !isRight(truth) ? never : std::min(result.right, i);
+      result.confirmed = isTracking() ? std::min(result.confirmed, i) : result.confirmed;
+      result.wronglyTracked += isTracking() && !isRight(truth);
+    }
+    return result;
+  }
+
+  Scene scene{colorScenes::makeBox()};
+  vpMbMultiCueTracker tracker;
+};
+
+vpHomogeneousMatrix elsewhere(double degrees)
+{
+  return displaced(start, {1., 0.2, 0.3}, degrees, {-0.12, 0.06, 0.});
+}
+
+vpHomogeneousMatrix turned(double degrees)
+{
+  return displaced(Tracked::swaying(12), {0.2, 1., 0.3}, degrees, Eigen::Vector3d::Zero());
+}
+
+void checkReturn(const Tracked::Return &found)
+{
+  CHECK(found.right <= 10);
+  CHECK(found.confirmed > 1); // Not at the first look.
+  CHECK(found.confirmed <= 13);
+  CHECK(found.wronglyTracked == 0);
+}
+
+vpImage<vpRGBa> noise(std::uint64_t seed)
+{
+  vpPoseRandom random(seed);
+  vpImage<vpRGBa> I = plainImage(black);
+  const auto level = [&random] { return static_cast<unsigned char>(255. * random.uniform()); };
+  for (unsigned int i = 0; i < I.getSize(); ++i) {
+    I.bitmap[i].R = level();
+    I.bitmap[i].G = level();
+    I.bitmap[i].B = level();
+  }
+  return I;
+}
+} // namespace
+
+TEST_CASE("An object that left the image is found where it comes back, turned by 40 degrees", "[recovery]")
+{
+  Tracked object(true);
+  CHECK(object.leave() == 0);
+  checkReturn(object.comeBack(elsewhere(40.), 14));
+  CHECK(object.isTracking());
+}
+
+TEST_CASE("An object that turned by 60 degrees in the dark is found", "[recovery]")
+{
+  Tracked object(true);
+  CHECK(object.darken() == 0);
+  checkReturn(object.comeBack(turned(-60.), 14));
+  CHECK(object.isTracking());
+}
+
+TEST_CASE("Without a search it is not", "[recovery]")
+{
+  Tracked gone(false);
+  gone.leave();
+  CHECK(gone.comeBack(elsewhere(40.), 14).right == Tracked::never);
+  Tracked dark(false);
+  dark.darken();
+  CHECK(dark.comeBack(turned(-60.), 14).right == Tracked::never);
+}
+
+TEST_CASE("Images that do not show the object are never called TRACKING", "[recovery]")
+{
+  Scene scene(colorScenes::makeBox());
+  colorScenes::Paint glaring;
+  glaring.gain = 12.;
+  const vpImage<vpRGBa> overExposed = scene.draw(Tracked::swaying(12), glaring);
+  const vpImage<vpRGBa> white = plainImage(vpRGBa(255, 255, 255));
+  const std::vector<std::pair<std::string, std::function<vpImage<vpRGBa>(int)>>> kinds = {
+      {"black", [](int) { return plainImage(black); }},
+      {"white", [&](int) { return white; }},
+      {"noise", [](int i) { return noise(static_cast<std::uint64_t>(i)); }},
+      {"over-exposed", [&](int) { return overExposed; }}};
+  for (const auto &kind : kinds) {
+    CAPTURE(kind.first);
+    Tracked object(true);
+    for (int i = 0; i < 11; ++i) {
+      CHECK_NOTHROW(object.tracker.track(kind.second(i)));
+      CHECK(object.isFinite());
+      CHECK((i < 10 || !object.isTracking()));
+    }
+  }
+}
+
+TEST_CASE("A frame that is repeated keeps its pose", "[recovery]")
+{
+  Tracked object(true);
+  const vpImage<vpRGBa> I = object.scene.draw(Tracked::swaying(12));
+  for (int i = 0; i < 12; ++i) {
+    CHECK_NOTHROW(object.tracker.track(I));
+    CHECK(object.isTracking());
+    CHECK(object.isRight(Tracked::swaying(12)));
+  }
+}
+
+TEST_CASE("The same images give the same bits while the object is searched for", "[recovery]")
+{
+  Tracked first(true);
+  Tracked second(true);
+  const vpImage<vpRGBa> dark = plainImage(black);
+  for (int i = 0; i < 8; ++i) {
+    const vpImage<vpRGBa> I = i < 3 ? dark : first.scene.draw(turned(60. - i));
+    first.tracker.track(I);
+    second.tracker.track(I);
+    const vpHomogeneousMatrix a = first.tracker.getPose();
+    const vpHomogeneousMatrix b = second.tracker.getPose();
+    CHECK(std::equal(a.data, a.data + 16, b.data));
+    CHECK(first.tracker.getTrackingState() == second.tracker.getTrackingState());
+    CHECK(first.tracker.getTrackingResult().score == second.tracker.getTrackingResult().score);
+  }
+}

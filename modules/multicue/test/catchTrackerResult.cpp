@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catchMain.h>
+
+#include "renderedBox.h"
+
+#include <meshFiles.h>
+
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+using Reason = vpMbTrackingResult::Reason;
+const int edge = vpMbMultiCueTracker::EDGE_TRACKER;
+const int klt = vpMbMultiCueTracker::KLT_TRACKER;
+const int color = vpMbMultiCueTracker::COLOR_TRACKER;
+
+void prepare(vpMbMultiCueTracker &tracker, int type)
+{
+  tracker.setTrackerType(type);
+  tracker.setCameraParameters(renderedBox::camera());
+  tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("box.cao")));
+}
+
+vpImage<vpRGBa> uniform()
+{
+  return vpImage<vpRGBa>(renderedBox::height, renderedBox::width, vpRGBa(90, 90, 90));
+}
+
+bool same(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b)
+{
+  return std::equal(a.data, a.data + 16, b.data);
+}
+
+// What holds whatever the image shows.
+void checkAgainstGetters(const vpMbMultiCueTracker &tracker, const vpMbTrackingResult &result)
+{
+  CHECK(same(result.cMo, tracker.getPose()));
+  CHECK(result.state == tracker.getTrackingState());
+  CHECK(result.score >= 0.);
+  CHECK(result.score <= 1.);
+  CHECK_FALSE(result.text.empty());
+  CHECK(result.timings.total == tracker.getTimings().total);
+  CHECK(result.hypotheses.size() == tracker.getPoseHypotheses().size());
+
+  unsigned int expected = 0;
+  unsigned int good = 0;
+  int types = 0;
+  for (const vpMbTrackingResult::Cue &cue : result.cues) {
+    CHECK(cue.reason == tracker.getCueReason(cue.type));
+    CHECK_FALSE(cue.agreement < 0.);
+    CHECK(cue.good <= cue.expected);
+    types |= cue.type;
+    expected += cue.expected;
+    good += cue.good;
+  }
+  CHECK(types == tracker.getTrackerType());
+  CHECK((expected == 0 ? 0. : static_cast<double>(good) / expected) == tracker.getSupport());
+}
+} // namespace
+
+TEST_CASE("A result says that there is none before an image was tracked", "[tracker]")
+{
+  renderedBox box;
+  vpMbMultiCueTracker tracker(edge | klt | color);
+  checkAgainstGetters(tracker, tracker.getTrackingResult());
+  prepare(tracker, edge | klt | color);
+  CHECK(tracker.getTrackingResult().text == "no initial pose was given");
+  const vpImage<vpRGBa> I = box.drawColor(renderedBox::pose());
+  for (int start = 0; start < 2; ++start) {
+    tracker.initFromPose(I, renderedBox::pose());
+    const vpMbTrackingResult result = tracker.getTrackingResult();
+    checkAgainstGetters(tracker, result);
+    CHECK(result.reason == Reason::NOT_STARTED);
+    CHECK(result.text == "no image was tracked yet");
+    CHECK(result.score == 0.);
+    tracker.track(I); // What it leaves behind is forgotten by the next start.
+    CHECK(tracker.getTrackingResult().score > 0.);
+  }
+}
+
+TEST_CASE("A result is what the single getters say of a frame", "[tracker]")
+{
+  renderedBox box;
+  const vpImage<vpRGBa> I = box.drawColor(renderedBox::pose());
+  for (const int type : {edge, color, klt, edge | klt | color}) {
+    vpMbMultiCueTracker tracker;
+    prepare(tracker, type);
+    vpPoseHypothesisSettings settings;
+    settings.enabled = true;
+    tracker.setPoseHypothesisSettings(settings);
+    tracker.initFromPose(I, renderedBox::pose());
+    tracker.track(I);
+    CHECK(tracker.getTrackingResult().covariance.size() == 0);
+    tracker.setCovarianceComputation(true);
+    tracker.track(I);
+
+    INFO("type " << type);
+    const vpMbTrackingResult result = tracker.getTrackingResult();
+    checkAgainstGetters(tracker, result);
+    REQUIRE(result.covariance.size() == 36);
+    CHECK(result.covariance[4][2] == tracker.getCovarianceMatrix()[4][2]);
+    if (type == klt) {
+      continue; // The box has hardly any texture.
+    }
+    CHECK(result.reason == Reason::WELL_EXPLAINED);
+    CHECK(result.score > 0.7);
+    CHECK(result.hypotheses.empty() == (type != edge));
+    for (const vpMbTrackingResult::Cue &cue : result.cues) {
+      CHECK(cue.name == (cue.type == edge ? "edge" : cue.type == color ? "color" : "point"));
+      if (cue.type == edge) {
+        CHECK(cue.good == tracker.getNbFeaturesEdge());
+      }
+      CHECK(std::isnan(cue.agreement) == (type == edge || cue.type == klt));
+      if (!std::isnan(cue.agreement)) {
+        CHECK(cue.agreement > 0.6);
+      }
+    }
+  }
+}
+
+TEST_CASE("A result tells why an image without the object is not believed", "[tracker]")
+{
+  renderedBox box;
+  for (const bool predicts : {false, true}) {
+    for (const int type : {edge, color, edge | klt | color}) {
+      vpMbMultiCueTracker tracker;
+      prepare(tracker, type);
+      tracker.setPrediction(predicts);
+      const vpImage<vpRGBa> I = box.drawColor(renderedBox::pose());
+      tracker.initFromPose(I, renderedBox::pose());
+      SECTION("at once")
+      {
+      }
+      SECTION("after an image that showed it")
+      {
+        tracker.track(I);
+      }
+      const bool isKnown = tracker.getTrackingResult().reason == Reason::WELL_EXPLAINED;
+      tracker.track(uniform());
+      INFO("type " << type << (predicts ? ", predicting" : ""));
+      const vpMbTrackingResult result = tracker.getTrackingResult();
+      checkAgainstGetters(tracker, result);
+      REQUIRE(result.state == vpTrackingState::LOST);
+      CHECK(result.score < 0.4);
+      const bool coasts = result.reason == Reason::COASTING;
+      CHECK(coasts == (predicts && isKnown));
+      CHECK(coasts == (result.text.find("predicted") != std::string::npos));
+      if (!coasts) {
+        CHECK(result.reason == (type == edge ? Reason::NOTHING_SEEN : Reason::CONTRADICTED));
+      }
+    }
+  }
+}
+
+TEST_CASE("Reasons have the names of the header", "[tracker]")
+{
+  CHECK(std::string(toString(Reason::NOT_STARTED)) == "NOT_STARTED");
+  CHECK(std::string(toString(Reason::FEW_FEATURES)) == "FEW_FEATURES");
+  CHECK(std::string(toString(Reason::COASTING)) == "COASTING");
+}
