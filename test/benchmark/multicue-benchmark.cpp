@@ -9,6 +9,7 @@
 #include "stages/benchFailure.h"
 #include "stages/cueStages.h"
 #include "stages/modelStages.h"
+#include "stages/searchStages.h"
 #include "stages/trackerStages.h"
 
 #include <visp3/core/vpException.h>
@@ -34,13 +35,23 @@ struct Stage
 const std::vector<Stage> stages = {
     {"render-depth", bench::renderDepth, Models::ALL, false},
     {"view", bench::computeView, Models::ALL, false},
+    {"sphere-view", bench::makeSphereView, Models::ALL, false},
+    {"sphere-nearest", bench::findSphereView, Models::BOX_ALONE, false},
+    {"sphere-project", bench::projectSphereView, Models::BOX_ALONE, false},
     {"frame-gray", bench::frameOfGray, Models::BOX_ALONE, false},
     {"frame-color", bench::frameOfColor, Models::BOX_ALONE, false},
     {"frame-distorted", bench::frameOfDistorted, Models::BOX_ALONE, false},
+    {"distance-map", bench::mapDistances, Models::BOX_ALONE, false},
+    {"color-odds-map", bench::mapColorOdds, Models::BOX_ALONE, false},
     {"match-edges", bench::matchEdges, Models::ALL, false},
     {"match-color", bench::matchColor, Models::ALL, false},
     {"match-color-levels", bench::matchColorLevels, Models::ALL, false},
     {"match-points", bench::matchPoints, Models::ALL, false},
+    {"surface-frame", bench::reduceSurfaceFrame, Models::BOX_ALONE, false},
+    {"surface-learn", bench::learnSurface, Models::BOX_ALONE, false},
+    {"surface-agreement", bench::agreeWithSurface, Models::BOX_ALONE, false},
+    {"particle-likelihood", bench::scorePose, Models::BOX_ALONE, false},
+    {"silhouette-step", bench::stepSilhouette, Models::BOX_ALONE, false},
     {"vvs-iteration", bench::iterateVvs, Models::ALL, false},
     {"track", bench::trackOurs, Models::ALL, false},
     {"track-visp", bench::trackVisp, Models::BOX_ALONE, false},

@@ -5,6 +5,7 @@
 */
 #include "evaluate/evaluation.h"
 #include "evaluate/htmlReport.h"
+#include "evaluate/stateTables.h"
 #include "evaluate/tables.h"
 
 #include <visp3/core/vpException.h>
@@ -29,9 +30,12 @@ int main(int argc, const char *argv[])
     }
     const bench::Evaluation evaluation = bench::evaluate(options);
     if (!evaluation.runs.empty()) {
-      const std::string table = bench::toMarkdown(evaluation);
+      const std::vector<bench::StateGroup> groups = bench::stateGroups(evaluation);
+      const std::string table = bench::toMarkdown(evaluation) + "\nState and score:\n\n" + bench::stateMarkdown(groups);
       bench::writeFile(options.out + "/summary.csv", bench::toCsv(evaluation));
       bench::writeFile(options.out + "/summary.md", table);
+      bench::writeFile(options.out + "/state.csv", bench::stateCsv(groups));
+      bench::writeFile(options.out + "/reliability.csv", bench::reliabilityCsv(groups));
       bench::writeFile(options.out + "/report.html", bench::toHtml(evaluation));
       std::cout << table << "\nMore in " << options.out << "/report.html and summary.csv" << std::endl;
     }

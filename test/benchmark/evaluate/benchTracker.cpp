@@ -17,6 +17,11 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 }
 } // namespace
 
+void BenchTracker::startRoughly(const BenchImage &I, const vpHomogeneousMatrix &cMo, double, double)
+{
+  init(I, cMo);
+}
+
 std::vector<std::string> trackerNames()
 {
   std::vector<std::string> names = multiCuePresets();

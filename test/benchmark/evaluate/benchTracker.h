@@ -39,6 +39,12 @@ class BenchTracker
 public:
   virtual ~BenchTracker() = default;
   virtual void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) = 0;
+  /*!
+    Starts at a pose that is not exact. A tracker that knows nothing better takes it as it is.
+    \param angleDeviation Of its rotation about the object's centre, radians. \param translationDeviation Metres.
+  */
+  virtual void startRoughly(const BenchImage &I, const vpHomogeneousMatrix &cMo, double angleDeviation,
+                            double translationDeviation);
   //! The only call whose time is measured.
   virtual void track(const BenchImage &I) = 0;
   virtual TrackerAnswer answer() = 0;

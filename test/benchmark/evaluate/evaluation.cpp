@@ -27,11 +27,6 @@ std::string readText(const std::string &file)
   return text.str();
 }
 
-bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
-{
-  return a.get_px() == b.get_px() && a.get_py() == b.get_py() && a.get_u0() == b.get_u0() && a.get_v0() == b.get_v0();
-}
-
 void checkCamera(const Sequence &sequence)
 {
   for (const SequenceFrame &frame : sequence.frames) {
@@ -185,6 +180,11 @@ void removeOldRuns(const TrackerOnScene &part)
   }
 }
 } // namespace
+
+bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
+{
+  return a.get_px() == b.get_px() && a.get_py() == b.get_py() && a.get_u0() == b.get_u0() && a.get_v0() == b.get_v0();
+}
 
 std::shared_ptr<const vpTrackedModel> loadModel(const SequenceObject &object)
 {

@@ -36,5 +36,8 @@ Evaluation evaluate(const EvaluateOptions &options);
 //! The object's model as its errors are measured, and overlays drawn, with: the mesh where there is one, else the .cao.
 std::shared_ptr<const vpTrackedModel> loadModel(const SequenceObject &object);
 
+//! \return True where focal lengths and principal points are equal.
+bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b);
+
 } // namespace bench
 #endif

@@ -2,6 +2,7 @@
 #include "evaluate/htmlReport.h"
 
 #include "evaluate/overlays.h"
+#include "evaluate/stateTables.h"
 #include "evaluate/svgPlot.h"
 #include "evaluate/tables.h"
 
@@ -144,6 +145,12 @@ std::string overlays(const Evaluation &evaluation)
   return html;
 }
 
+std::string stateSection(const Evaluation &evaluation)
+{
+  const std::vector<StateGroup> groups = stateGroups(evaluation);
+  return "<h2>State and score</h2>" + statePlots(groups) + tablesToHtml(stateMarkdown(groups));
+}
+
 std::string failureList(const Evaluation &evaluation)
 {
   std::string html;
@@ -159,9 +166,9 @@ std::string failureList(const Evaluation &evaluation)
 std::string toHtml(const Evaluation &evaluation)
 {
   return head + failureList(evaluation) + "<h2>Success against step</h2>" + successPlots(evaluation) + "<h2>Runs</h2>" +
-         tablesToHtml(toMarkdown(evaluation)) + "<h2>Error over time</h2>" + errorPlots(evaluation) +
-         "<h2>Worst frames</h2><p>Green: the truth; red: the tracker's pose.</p>" + overlays(evaluation) +
-         "</body></html>\n";
+         tablesToHtml(toMarkdown(evaluation)) + stateSection(evaluation) + "<h2>Error over time</h2>" +
+         errorPlots(evaluation) + "<h2>Worst frames</h2><p>Green: the truth; red: the tracker's pose.</p>" +
+         overlays(evaluation) + "</body></html>\n";
 }
 
 } // namespace bench

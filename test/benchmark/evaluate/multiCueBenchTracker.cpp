@@ -27,6 +27,15 @@ void useHypotheses(vpMbMultiCueTracker &tracker)
   setCandidates(tracker, 5);
 }
 
+// [T10] as it is: an object that wanders, 100 particles, the best ones optimised in pose-hypothesis mode.
+void useParticles(vpMbMultiCueTracker &tracker)
+{
+  useHypotheses(tracker);
+  vpParticleSettings settings = tracker.getParticleSettings();
+  settings.enabled = true;
+  tracker.setParticleSettings(settings);
+}
+
 Preset cues(int type)
 {
   return [type](vpMbMultiCueTracker &tracker) { tracker.setTrackerType(type); };
@@ -43,6 +52,14 @@ const std::map<std::string, Preset> &presets()
     tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER | Tracker::KLT_TRACKER);
     tracker.setPrediction(true);
   };
+  const Preset searching = [predicting](Tracker &tracker) {
+    predicting(tracker);
+    tracker.setSearch(true);
+    vpParticleSettings particles = tracker.getParticleSettings();
+    particles.enabled = true;
+    particles.motion = vpParticleSettings::Motion::VELOCITY;
+    tracker.setParticleSettings(particles);
+  };
   static const std::map<std::string, Preset> table = {
       {"edge", cues(edge)},
       {"edge-geometry",
@@ -51,11 +68,13 @@ const std::map<std::string, Preset> &presets()
          tracker.setTextureEdges(false);
        }},
       {"edge-mh", &useHypotheses},
+      {"particles", &useParticles},
       {"edge-point", cues(edge | point)},
       {"color", cues(color)},
       {"point", cues(point)},
       {"multicue", cues(edge | color | point)},
       {"multicue-kalman", predicting},
+      {"multicue-particles", searching},
       // [P14]'s ladder: C0 edges with one candidate, C1 several, NM with colours, C4 with points, C5 with prediction.
       {"c0",
        [](Tracker &tracker) {
@@ -93,14 +112,14 @@ public:
     TrackerAnswer answer;
     m_tracker.getPose(answer.cMo);
     answer.state = m_tracker.getTrackingState();
-    answer.score = m_tracker.getSupport();
+    answer.score = m_tracker.getTrackingResult().score;
     const vpTrackingTimings &timings = m_tracker.getTimings();
-    answer.stages = {timings.frame, timings.view, timings.match, timings.pose};
+    answer.stages = {timings.frame, timings.view, timings.match, timings.pose, timings.map, timings.particles};
     answer.minimisations = m_tracker.getNbPoseMinimisations();
     return answer;
   }
 
-  std::vector<std::string> stages() const override { return {"frame", "view", "match", "pose"}; }
+  std::vector<std::string> stages() const override { return {"frame", "view", "match", "pose", "map", "particles"}; }
 
 private:
   vpMbMultiCueTracker m_tracker;

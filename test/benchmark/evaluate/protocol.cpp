@@ -21,6 +21,7 @@ void judge(const SequenceFrame &frame, const PoseErrorMeasure &measure, const Li
   if (!frame.hasTruth) {
     return;
   }
+  record.known = true;
   record.error = measure(record.answer.cMo, frame.cMo, frame.cam);
   record.counted = frame.visibility >= leastVisibility;
   record.success =

@@ -41,6 +41,7 @@ struct FrameRecord
   double ms = 0.;
   bool reset = false; //!< Started again at this frame's truth, after it was tracked.
   TrackerAnswer answer;
+  bool known = false;   //!< It has a truth.
   bool counted = false; //!< It has a truth, and shows enough of the object.
   bool success = false; //!< Within Limits::success*.
   bool right = false;   //!< Within Limits::right*.

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 // Of the .json files; one of another format is made again.
-const int format = 1;
+const int format = 2;
 
 // JSON has no infinity and no "not a number".
 Json toJson(double value)
@@ -82,6 +82,7 @@ Json toJson(const FrameRecord &record)
           {"score", toJson(record.answer.score)},
           {"stages", record.answer.stages},
           {"minimisations", toJson(record.answer.minimisations)},
+          {"known", record.known},
           {"counted", record.counted},
           {"success", record.success},
           {"right", record.right},
@@ -102,6 +103,7 @@ FrameRecord toRecord(const Json &json)
   record.answer.score = toNumber(json.at("score"), std::nan(""));
   record.answer.stages = json.at("stages").get<std::vector<double>>();
   record.answer.minimisations = toNumber(json.at("minimisations"), std::nan(""));
+  record.known = json.at("known");
   record.counted = json.at("counted");
   record.success = json.at("success");
   record.right = json.at("right");

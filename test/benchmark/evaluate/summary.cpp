@@ -146,6 +146,9 @@ RunSummary summarise(const RunKey &key, const Records &records, double diameter,
   summary.minimisations =
       mean(values(records, everywhere, [](const FrameRecord &record) { return record.answer.minimisations; }));
   summary.stages = stageMedians(records, stages);
+  StatePool pool;
+  pool.add(key.scene, key.protocol, records);
+  summary.state = pool.figures();
   return summary;
 }
 

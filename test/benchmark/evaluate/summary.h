@@ -2,7 +2,7 @@
 #ifndef benchSummary_h
 #define benchSummary_h
 
-#include "evaluate/protocol.h"
+#include "evaluate/stateFigures.h"
 
 #include <map>
 
@@ -46,6 +46,7 @@ struct RunSummary
   double minimisations = 0.;                          //!< Mean of TrackerAnswer::minimisations over all tracked frames.
   std::vector<std::pair<std::string, double>> stages; //!< Name and median, ms.
   std::vector<Loss> losses;                           //!< All of them; the first is firstLost and back.
+  StateFigures state;                                 //!< Of this run alone.
 };
 
 /*!

@@ -115,6 +115,9 @@ std::string SvgPlot::axes(const Frame &frame) const
 
 std::vector<double> SvgPlot::xMarks(const Frame &frame) const
 {
+  if (!m_columns.empty()) {
+    return m_columns;
+  }
   if (!m_lines.empty() && m_lines.front().x.size() <= fewPoints) {
     return m_lines.front().x;
   }
@@ -154,6 +157,10 @@ std::string SvgPlot::polylines(const Line &line, const std::string &color, const
 std::string SvgPlot::svg() const
 {
   Frame frame{HUGE_VAL, -HUGE_VAL, m_yLow, m_yHigh, m_logarithmic};
+  for (const double x : m_columns) {
+    frame.xLow = std::min(frame.xLow, x);
+    frame.xHigh = std::max(frame.xHigh, x);
+  }
   for (const Line &line : m_lines) {
     for (const double x : line.x) {
       frame.xLow = std::min(frame.xLow, x);

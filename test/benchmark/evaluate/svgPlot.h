@@ -22,6 +22,8 @@ public:
   SvgPlot(const std::string &title, const std::string &xName, const std::string &yName, bool logarithmic = false);
 
   void setRange(double yLow, double yHigh);
+  //! Numbers under the horizontal axis, which covers them; without, they are chosen from the lines.
+  void setColumns(const std::vector<double> &x) { m_columns = x; }
   void add(const Line &line) { m_lines.push_back(line); }
   //! A dashed horizontal line.
   void addLimit(double y) { m_limits.push_back(y); }
@@ -40,6 +42,7 @@ private:
   bool m_logarithmic;
   double m_yLow = 0.;
   double m_yHigh = 1.;
+  std::vector<double> m_columns;
   std::vector<Line> m_lines;
   std::vector<double> m_limits;
 };

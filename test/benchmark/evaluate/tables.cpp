@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "evaluate/tables.h"
 
-#include <cmath>
-#include <iomanip>
+#include "evaluate/numberText.h"
+#include "evaluate/stateTables.h"
+
 #include <limits>
-#include <sstream>
 
 namespace bench {
 
 namespace {
-std::string number(double value, int digits)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return std::isfinite(value) ? text.str() : "";
-}
-
 std::string frameNumber(int frame)
 {
   return frame < 0 ? "" : std::to_string(frame);
-}
-
-// A field with a comma in it would be two.
-std::string field(const std::string &text)
-{
-  return text.find_first_of(",\"") == std::string::npos ? text : "\"" + text + "\"";
-}
-
-std::string percent(double share)
-{
-  return number(100. * share, 1);
 }
 
 void addRunTable(const Evaluation &evaluation, std::ostringstream &text)
@@ -109,7 +91,8 @@ std::string toCsv(const Evaluation &evaluation)
 {
   std::ostringstream text;
   text << "scene,tracker,protocol,step,frames,success,right,first_lost,back,false_tracking,t_mm_median,t_mm_p95,"
-          "r_deg_median,r_deg_p95,px_median,add_auc,ms_median,ms_p95,minimisations\n";
+          "r_deg_median,r_deg_p95,px_median,add_auc,ms_median,ms_p95,minimisations"
+       << stateColumns() << "\n";
   for (const RunResult &run : evaluation.runs) {
     const RunSummary &s = run.summary;
     text << field(s.key.scene) << "," << s.key.tracker << "," << toString(s.key.protocol) << "," << s.key.step << ","
@@ -117,7 +100,7 @@ std::string toCsv(const Evaluation &evaluation)
          << "," << frameNumber(s.back) << "," << number(s.falseTracking, 6) << "," << number(s.translationMedian, 4)
          << "," << number(s.translation95, 4) << "," << number(s.rotationMedian, 4) << "," << number(s.rotation95, 4)
          << "," << number(s.pixelsMedian, 4) << "," << number(s.addAuc, 6) << "," << number(s.msMedian, 4) << ","
-         << number(s.ms95, 4) << "," << number(s.minimisations, 4) << "\n";
+         << number(s.ms95, 4) << "," << number(s.minimisations, 4) << stateFields(s.state) << "\n";
   }
   return text.str();
 }

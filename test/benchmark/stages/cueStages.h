@@ -7,7 +7,9 @@
 #include <visp3/core/vpExponentialMap.h>
 #include <visp3/core/vpRobust.h>
 #include <visp3/cues/vpColorCue.h>
+#include <visp3/cues/vpColorOddsMap.h>
 #include <visp3/cues/vpFrameSource.h>
+#include <visp3/cues/vpOrientedDistanceMap.h>
 #include <visp3/cues/vpPointCue.h>
 
 #include <benchmark/benchmark.h>
@@ -48,6 +50,42 @@ inline void frameOfDistorted(benchmark::State &state, BenchScene &scene)
   for (auto _ : state) {
     const vpCueFrame frame = source.frame(scene.image(k++), scene.distortedCamera(), nullptr);
     benchmark::DoNotOptimize(frame.gray().bitmap);
+  }
+}
+
+inline vpImageRegion wholeImage(const vpCueFrame &frame)
+{
+  return vpImageRegion(0, 0, static_cast<int>(frame.width()), static_cast<int>(frame.height()));
+}
+
+//! The oriented distance map of a whole image.
+inline void mapDistances(benchmark::State &state, BenchScene &scene)
+{
+  vpFrameSource source;
+  vpOrientedDistanceMap map;
+  int k = 0;
+  for (auto _ : state) {
+    const vpCueFrame frame = source.frame(scene.image(k++), scene.camera(), nullptr);
+    map.compute(frame, wholeImage(frame));
+    benchmark::DoNotOptimize(map.distance(1., 1., 0));
+  }
+  state.counters["edges"] = static_cast<double>(map.edgeCount());
+}
+
+//! The map of the colours' log-odds of a whole image.
+inline void mapColorOdds(benchmark::State &state, BenchScene &scene)
+{
+  vpFrameSource source;
+  const vpCueFrame frame = source.frame(scene.colorImage(), scene.camera(), nullptr);
+  vpColorHistograms histograms;
+  for (unsigned int k = 0; k < 0x1000000U; k += 0x1003U) {
+    histograms.count(k, k % 3 == 0 ? vpColorHistograms::OBJECT : vpColorHistograms::BACKGROUND);
+  }
+  histograms.learn(1.);
+  vpColorOddsMap map;
+  for (auto _ : state) {
+    map.compute(frame, histograms, wholeImage(frame));
+    benchmark::DoNotOptimize(map.logOdds(1., 1.));
   }
 }
 

@@ -88,6 +88,8 @@ TEST_CASE("Trackers are run on all scenes of a data set", "[evaluate]")
   const std::string html = bench::toHtml(evaluation);
   CHECK(html.find("box_regular, rbot, step 1, frame") != std::string::npos);
   CHECK(html.find("<polyline") != std::string::npos);
+  CHECK(html.find("<h2>State and score</h2>") != std::string::npos);
+  CHECK(html.find("visp-edge: ROC curve") != std::string::npos);
   CHECK(html.find("data:image/jpeg;base64,") != std::string::npos);
 }
 

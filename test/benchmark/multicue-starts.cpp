@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/*!
+  \file multicue-starts.cpp
+  Starts trackers at poses that are off the truth, or where the object is not, and tells how often they find it and how
+  often they say so.
+*/
+#include "evaluate/runFiles.h"
+#include "starts/startTrials.h"
+
+#include <visp3/core/vpException.h>
+
+#include <iostream>
+
+int main(int argc, const char *argv[])
+{
+  try {
+    bench::StartOptions options;
+    if (!options.read(argc, argv)) {
+      return 0;
+    }
+    const bench::StartResults results = bench::runStarts(options);
+    if (!results.records.empty()) {
+      const std::vector<bench::StartSummary> summaries = bench::summariseStarts(results.records);
+      const std::string table = bench::startMarkdown(summaries);
+      bench::writeFile(options.out + "/starts.csv", bench::startsCsv(results.records));
+      bench::writeFile(options.out + "/summary.csv", bench::startSummaryCsv(summaries));
+      bench::writeFile(options.out + "/summary.md", table);
+      std::cout << table << "\nEvery trial is in " << options.out << "/starts.csv" << std::endl;
+    }
+    for (const std::string &failure : results.failures) {
+      std::cerr << "FAILED: " << failure << "\n";
+    }
+    return results.failures.empty() && !results.records.empty() ? 0 : 1;
+  } catch (const vpException &e) {
+    std::cerr << e.getStringMessage() << std::endl;
+  } catch (const std::exception &e) {
+    std::cerr << e.what() << std::endl;
+  }
+  return 1;
+}
