@@ -32,8 +32,9 @@ const double mostFar = 10.;
 const double toleratedPenalty = 0.05;
 const double farDistance = 0.2; // Diameters.
 const double farTurn = 0.4;     // Radians.
-// Of half a turn.
-const double turnPenalty = 0.1;
+// Of half a turn, or two diameters.
+const double changePenalty = 0.1;
+const double followedBonus = 0.05;
 const double steadyVariance = 0.15 * 0.15;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
@@ -164,7 +165,9 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
   if (impl.mustConfirm) {
     // What was never seen is no evidence for a pose.
     const double unknown = std::min(1., 2. * impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
-    value = (2. * share + unknown * unknownCorrelation) / (2. + unknown) - turnPenalty * impl.turnSince(m_cMo);
+    value = (2. * share + unknown * unknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
+    // The pose of the frame before, followed to this one, has explained two images.
+    value += impl.attempted.size() == 1 && impl.state != vpTrackingState::LOST ? followedBonus : 0.;
   }
   impl.bestIsLast = estimated && value > impl.bestValue;
   if (impl.bestIsLast) {
@@ -173,10 +176,8 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     impl.bestPose = m_cMo;
     impl.bestUsesPoints = impl.usesPoints;
   }
-  if (impl.mustConfirm) {
-    return impl.bestExplained >= wellExplained && impl.bestIsLast && isDecisive();
-  }
-  return std::min(impl.bestExplained, impl.bestValue + toleratedPenalty) >= wellExplained;
+  // After a loss, another pose may look even better.
+  return !impl.mustConfirm && std::min(impl.bestExplained, impl.bestValue + toleratedPenalty) >= wellExplained;
 }
 
 // The image shows something else than what is remembered of the surface.

@@ -39,7 +39,10 @@ void vpMbMultiCueTracker::predict()
   Impl &impl = *m_impl;
   impl.sinceUpdate += impl.frameInterval;
   impl.predictedRange = 0.;
-  if (impl.predicts && impl.kalman.isStarted()) {
+  // A pose that was found after a loss is no news to the filter before it is confirmed.
+  const bool isFound = impl.mustConfirm && impl.state != vpTrackingState::LOST;
+  const bool isStale = impl.searches && !impl.mayCoast();
+  if (impl.predicts && impl.kalman.isStarted() && !isFound && !isStale) {
     const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
     m_cMo = expected.cMo;
     predictRange(expected.covariance);

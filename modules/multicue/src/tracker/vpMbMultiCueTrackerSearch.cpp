@@ -33,6 +33,7 @@ const double leastReliability = 0.6;
 const std::size_t mostBlobs = 4;
 // Side of a window that the object fills, in projected diameters.
 const double windowShare = 0.5;
+const double mostShift = 1.5;       // Beyond it, shifts are equally unlikely.
 const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
 } // namespace
 
@@ -96,10 +97,15 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   }
 }
 
-double vpMbMultiCueTracker::Impl::turnSince(const vpHomogeneousMatrix &cMo) const
+// Of half a turn, and of two diameters.
+double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) const
 {
-  const Eigen::Matrix3d turn = vpPoseExponential::toEigen(trusted.inverse() * cMo).linear();
-  return Eigen::AngleAxisd(turn).angle() / M_PI;
+  const Eigen::Isometry3d before = vpPoseExponential::toEigen(trusted);
+  const Eigen::Isometry3d now = vpPoseExponential::toEigen(cMo);
+  const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
+  const Eigen::Vector3d centre = model->centre();
+  const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
+  return Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift);
 }
 
 double vpMbMultiCueTracker::Impl::insideShare(const vpHomogeneousMatrix &cMo)

@@ -111,6 +111,8 @@ void vpMbMultiCueTracker::confirmState()
     impl.mustConfirm = false;
     impl.lostFrames = 0;
     impl.searched.clear();
+    impl.kalman.reset(); // Of how it moves now, nothing is known.
+    impl.sinceUpdate = 0.;
   } else {
     impl.state = vpTrackingState::UNCERTAIN;
   }

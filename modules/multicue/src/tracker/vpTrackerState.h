@@ -59,8 +59,8 @@ public:
   static double reliability(double variance);
   //! Share of the object's outline at a pose that is in the image.
   double insideShare(const vpHomogeneousMatrix &cMo);
-  //! Angle from the last trusted pose, in half turns.
-  double turnSince(const vpHomogeneousMatrix &cMo) const;
+  //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
+  double changeSince(const vpHomogeneousMatrix &cMo) const;
   //! The same for a part of the image.
   void scoreRegion(const vpCueFrame &frame, const vpImageRegion &region);
   void settle(vpPoseSearch &search);
