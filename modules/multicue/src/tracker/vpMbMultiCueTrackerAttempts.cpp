@@ -176,8 +176,10 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     impl.bestPose = m_cMo;
     impl.bestUsesPoints = impl.usesPoints;
   }
-  // After a loss, another pose may look even better.
-  return !impl.mustConfirm && std::min(impl.bestExplained, impl.bestValue + toleratedPenalty) >= wellExplained;
+  if (impl.mustConfirm) {
+    return impl.bestExplained >= wellExplained && impl.bestIsLast && isDecisive();
+  }
+  return std::min(impl.bestExplained, impl.bestValue + toleratedPenalty) >= wellExplained;
 }
 
 // The image shows something else than what is remembered of the surface.
