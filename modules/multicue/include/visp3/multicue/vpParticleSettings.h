@@ -32,7 +32,7 @@ struct VISP_EXPORT vpParticleSettings
   enum Output
   {
     MEAN,     //!< Weighted mean of all of them, [T10] III-B2: between the modes where there are several.
-    BEST_MODE //!< Mean of the heaviest mode, from which the pose is then estimated as without particles.
+    BEST_MODE //!< The pose as without particles, or one that they led to where that explains the image better.
   };
 
   bool enabled = false;          //!< Off: none of the others matters.
