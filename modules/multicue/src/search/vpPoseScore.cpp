@@ -19,8 +19,6 @@ const double leastInside = 0.15;
 const double outsideCost = 0.2;
 // A surface of nearly one colour tells little: below this, its part counts for less.
 const double fullContrast = 12.; // Gray levels.
-// What places that were never seen count for.
-const double unknownCorrelation = 0.3;
 } // namespace
 
 struct vpPoseScore::Sums
@@ -87,8 +85,8 @@ void vpPoseScore::combine(const Sums &sums, const vpHomogeneousMatrix &cMo, Valu
   }
   if (m_surface != nullptr && m_surface->texture() > 0.) {
     const vpSurfaceMemory::Agreement agreement = m_surface->agreement(cMo);
-    const double trust = m_weights[2] * std::min(1., 2. * m_surface->texture());
-    value.surface = agreement.known * agreement.correlation + (1. - agreement.known) * unknownCorrelation;
+    const double trust = m_weights[2] * vpSurfaceTrust(m_surface->texture());
+    value.surface = agreement.known * agreement.correlation + (1. - agreement.known) * vpUnknownCorrelation;
     total += trust * value.surface;
     weight += trust;
   }

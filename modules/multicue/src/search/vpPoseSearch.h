@@ -7,6 +7,7 @@
 
 #include <visp3/se3/vpPoseExponential.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -32,7 +33,19 @@ public:
     double translation = 0.1; // Deviation, in diameters.
     double rotation = 0.3;    // Deviation, radians.
     double depth = 0.1;       // Deviation along the line of sight, in diameters.
+
+    // Wider for an object that was not seen for some time; beyond half of its size and all turns nothing is gained.
+    Spread grown(double factor) const
+    {
+      return {std::min(translation * factor, 0.6), std::min(rotation * factor, 2.), std::min(depth * factor, 0.8)};
+    }
   };
+  // Around an expected pose, where the image does not look as it should.
+  static constexpr Spread near() { return {0.12, 0.35, 0.15}; }
+  // Poses that differ by less than this are refined to the same one.
+  static constexpr Spread same() { return {0.05, 0.15, 0.1}; }
+  // Of a pose that is one spread off, for setPrior().
+  static constexpr double usualPrior = 0.02;
 
   vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed);
 

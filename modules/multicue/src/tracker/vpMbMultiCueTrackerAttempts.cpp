@@ -22,8 +22,6 @@ const double badlyExplained = 0.65;
 const double mostOfOne = 1.2;
 // A surface of one colour tells no pose from another.
 const double leastTexture = 0.15;
-// What places that were never seen count for.
-const double unknownCorrelation = 0.3;
 const double decisiveSurface = 0.7;
 const double contradictingSurface = 0.35;
 // Of a pose that is one deviation off the expected one; squared for those farther off.
@@ -76,13 +74,19 @@ double vpMbMultiCueTracker::pointAgreement() const
   return impl.points->matches().empty() ? 0. : sum / static_cast<double>(impl.points->matches().size());
 }
 
-// Squared, in deviations of how far the object may be from where it is expected.
-double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) const
+std::array<double, 2> vpMbMultiCueTracker::Impl::offExpected(const vpHomogeneousMatrix &cMo) const
 {
   const Eigen::Isometry3d moved = vpPoseExponential::toEigen(expectedPose.inverse() * cMo);
   const Eigen::Vector3d centre = model->centre();
-  const double distance = (moved * centre - centre).norm() / (farDistance * model->diameter());
-  const double angle = Eigen::AngleAxisd(moved.linear()).angle() / farTurn;
+  return {(moved * centre - centre).norm() / model->diameter(), Eigen::AngleAxisd(moved.linear()).angle()};
+}
+
+// Squared, in deviations of how far the object may be from where it is expected.
+double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) const
+{
+  const std::array<double, 2> off = offExpected(cMo);
+  const double distance = off[0] / farDistance;
+  const double angle = off[1] / farTurn;
   return std::min(distance * distance + angle * angle, mostFar);
 }
 
@@ -121,7 +125,7 @@ double vpMbMultiCueTracker::explainedShare()
   const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
   agreement.surface = surface.correlation;
   agreement.surfaceKnown = surface.known;
-  agreement.surfaceWeight = std::min(1., 2. * surface.texture) * surface.known;
+  agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
   if (impl.usual.surface > 0.) {
     add(std::max(surface.correlation, 0.), impl.usual.surface,
         agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
@@ -160,12 +164,12 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
   if (estimated) {
     impl.attempted.push_back(m_cMo);
   }
-  // Half a turn of a symmetric object explains as much: the one nearer to the last trusted pose is likelier.
   double value = share - farPenalty * impl.surpriseAt(m_cMo);
   if (impl.mustConfirm) {
-    // What was never seen is no evidence for a pose.
-    const double unknown = std::min(1., 2. * impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
-    value = (2. * share + unknown * unknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
+    // What was never seen is no evidence for a pose. Half a turn of a symmetric object explains as much: the one nearer
+    // to the last trusted pose is likelier.
+    const double unknown = vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
+    value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
     // The pose of the frame before, followed to this one, has explained two images.
     value += impl.attempted.size() == 1 && impl.state != vpTrackingState::LOST ? followedBonus : 0.;
   }

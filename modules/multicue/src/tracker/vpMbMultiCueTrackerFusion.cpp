@@ -93,13 +93,10 @@ void vpMbMultiCueTracker::setPrior()
 void vpMbMultiCueTracker::learnSurprise()
 {
   Impl &impl = *m_impl;
-  const vpTrackedModel &model = *impl.model;
-  const Eigen::Vector3d centre = model.centre();
-  const Eigen::Isometry3d moved = vpPoseExponential::toEigen(impl.expectedPose.inverse() * m_cMo);
-  const double distance = (moved * centre - centre).norm() / model.diameter();
-  const double angle = Eigen::AngleAxisd(moved.linear()).angle();
-  impl.surprise[0] += motionRate * (distance * distance - impl.surprise[0]);
-  impl.surprise[1] += motionRate * (angle * angle - impl.surprise[1]);
+  const std::array<double, 2> off = impl.offExpected(m_cMo);
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    impl.surprise[i] += motionRate * (off[i] * off[i] - impl.surprise[i]);
+  }
 }
 
 // The fine levels, where edges and points take part. \return False where there is no pose.

@@ -3,6 +3,7 @@
 
 #include "hypotheses/vpControlPointMotion.h"
 #include "tracker/vpDistortedPoint.h"
+#include "tracker/vpHypothesisColor.h"
 #include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
@@ -25,14 +26,6 @@ const std::size_t maxFinalists = 3;
 const double nearMotion = 1.5; // Pixels.
 // Matches for a pose that a longer reach led to.
 const unsigned int maxRefinements = 2;
-
-vpColor colorOf(std::size_t hypothesis)
-{
-  // Not green, blue, purple and red, which tell the states of features.
-  static const vpColor colors[] = {vpColor::cyan, vpColor::yellow, vpColor::orange, vpColor::lightGreen,
-                                   vpColor::lightRed};
-  return colors[hypothesis % (sizeof(colors) / sizeof(colors[0]))];
-}
 } // namespace
 
 void vpMbMultiCueTracker::setPoseHypothesisSettings(const vpPoseHypothesisSettings &settings)
@@ -195,8 +188,8 @@ void vpMbMultiCueTracker::displayHypothesesOn(const vpImage<Pixel> &I, const vpC
   for (std::size_t h = found.size(); h > 0; --h) { // The best one on top.
     for (const std::vector<double> &line :
          getModelForDisplay(I.getWidth(), I.getHeight(), found[h - 1].cMo, cam, false)) {
-      vpDisplay::displayLine(I, vpImagePoint(line[1], line[2]), vpImagePoint(line[3], line[4]), colorOf(h - 1),
-                             thickness);
+      vpDisplay::displayLine(I, vpImagePoint(line[1], line[2]), vpImagePoint(line[3], line[4]),
+                             vpHypothesisColor(h - 1), thickness);
     }
   }
 }

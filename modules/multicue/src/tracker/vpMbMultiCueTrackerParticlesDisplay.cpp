@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "tracker/vpHypothesisColor.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpDisplay.h>
@@ -15,14 +16,6 @@ namespace {
 const std::size_t mostShown = 30;
 // Gray of a particle without weight; the heaviest one is black.
 const double lightest = 220.;
-
-vpColor colorOf(std::size_t mode)
-{
-  // Not green, blue, purple and red, which tell the states of features.
-  static const vpColor colors[] = {vpColor::cyan, vpColor::yellow, vpColor::orange, vpColor::lightGreen,
-                                   vpColor::lightRed};
-  return colors[mode % (sizeof(colors) / sizeof(colors[0]))];
-}
 } // namespace
 
 template <typename Pixel>
@@ -45,7 +38,7 @@ void vpMbMultiCueTracker::displayParticlesOn(const vpImage<Pixel> &I, const vpCa
   }
   const std::vector<vpPoseMode> modes = getPoseModes();
   for (std::size_t i = modes.size(); i > 0; --i) {
-    drawModel(modes[i - 1].cMo, colorOf(i - 1), thickness + 1);
+    drawModel(modes[i - 1].cMo, vpHypothesisColor(i - 1), thickness + 1);
   }
 }
 

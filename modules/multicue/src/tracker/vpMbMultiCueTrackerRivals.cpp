@@ -36,13 +36,10 @@ const double mostDecisive = 0.88;
 const double unexplained = 1.5;
 // The object is looked for in each of as many frames.
 const unsigned int searchInterval = 3;
-// Where it is looked for, and how the spread grows with each frame.
-const vpPoseSearch::Spread nearSpread = {0.12, 0.35, 0.15};
-const vpPoseSearch::Spread apart = {0.05, 0.15, 0.1};
+// How far around is looked for it, in the spread near a pose, grows with each frame.
 const double spreadPerFrame = 0.1;
 const std::size_t searchNumber = 120;
 const std::size_t mostFound = 3;
-const double priorWeight = 0.02;
 } // namespace
 
 // Where the image shows the object in none of the poses: the likeliest ones around where it was seen last.
@@ -54,14 +51,12 @@ void vpMbMultiCueTracker::searchRivals(const vpCueFrame &frame)
   const vpStopwatch stage(impl.timings.particles);
   const vpHomogeneousMatrix bMo = impl.centreFrame().inverse();
   const double growth = 1. + spreadPerFrame * particles.blindFrames;
-  const vpPoseSearch::Spread spread = {std::min(nearSpread.translation * growth, 0.6),
-                                       std::min(nearSpread.rotation * growth, 2.),
-                                       std::min(nearSpread.depth * growth, 0.8)};
+  const vpPoseSearch::Spread spread = vpPoseSearch::near().grown(growth);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
-  search.setPrior(particles.explained * bMo, spread, priorWeight);
+  search.setPrior(particles.explained * bMo, spread, vpPoseSearch::usualPrior);
   search.scatter({particles.explained * bMo, m_cMo}, spread, searchNumber);
   impl.settle(search);
-  search.keepBest(mostFound, apart);
+  search.keepBest(mostFound, vpPoseSearch::same());
   for (const vpPoseCandidate &candidate : search.candidates()) {
     particles.found.push_back(candidate.cMo * impl.centreFrame());
   }

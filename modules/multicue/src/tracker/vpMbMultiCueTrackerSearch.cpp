@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
-
-#include <visp3/se3/vpPoseRandom.h>
 
 #include <Eigen/Geometry>
 
@@ -14,17 +11,12 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// Around the expected pose, where the image does not look as it should.
-const vpPoseSearch::Spread nearSpread = {0.12, 0.35, 0.15};
 const std::size_t nearNumber = 80;
 const std::size_t modeNumber = 10; // Around each mode of the particles.
 const std::size_t keptParents = 24;
 const std::size_t children = 200;
 const unsigned int layers = 3;
 const std::size_t mostAttempts = 4;
-// Poses that differ by less than this are refined to the same one.
-const vpPoseSearch::Spread sameSpread = {0.05, 0.15, 0.1};
-const double priorWeight = 0.02;
 
 // Everywhere: while the object is lost.
 const std::size_t wideNumber = 500;
@@ -56,13 +48,13 @@ void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
-  search.setPrior(impl.expectedPose, nearSpread, priorWeight);
-  search.scatter({impl.expectedPose}, nearSpread, nearNumber);
+  search.setPrior(impl.expectedPose, vpPoseSearch::near(), vpPoseSearch::usualPrior);
+  search.scatter({impl.expectedPose}, vpPoseSearch::near(), nearNumber);
   for (const vpPoseMode &mode : getPoseModes()) { // What the frames before left open.
-    search.scatter({mode.cMo}, sameSpread, modeNumber);
+    search.scatter({mode.cMo}, vpPoseSearch::same(), modeNumber);
   }
   impl.settle(search);
-  search.keepBest(mostAttempts, sameSpread);
+  search.keepBest(mostAttempts, vpPoseSearch::same());
   for (const vpPoseCandidate &candidate : search.candidates()) {
     if (attemptFrom(frame, candidate.cMo)) {
       break;
@@ -77,18 +69,15 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
   const double growth = 1. + spreadPerFrame * impl.lostFrames;
-  vpPoseSearch::Spread spread = nearSpread;
-  spread.translation = std::min(spread.translation * growth, 0.6);
-  spread.rotation = std::min(spread.rotation * growth, 2.);
-  spread.depth = std::min(spread.depth * growth, 0.8);
-  search.setPrior(impl.trusted, spread, priorWeight);
+  const vpPoseSearch::Spread spread = vpPoseSearch::near().grown(growth);
+  search.setPrior(impl.trusted, spread, vpPoseSearch::usualPrior);
   search.scatter({impl.expectedPose, impl.trusted}, spread, wideNumber / 4);
   impl.scatterOverBlobs(frame, search, spread.rotation, wideNumber);
   for (const vpPoseCandidate &candidate : impl.searched) {
-    search.scatter({candidate.cMo}, nearSpread, children / mostAttempts);
+    search.scatter({candidate.cMo}, vpPoseSearch::near(), children / mostAttempts);
   }
   impl.settle(search);
-  search.keepBest(mostAttempts, sameSpread);
+  search.keepBest(mostAttempts, vpPoseSearch::same());
   impl.searched = search.candidates();
   for (const vpPoseCandidate &candidate : impl.searched) {
     if (attemptFrom(frame, candidate.cMo)) {
@@ -110,10 +99,10 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
 
 double vpMbMultiCueTracker::Impl::insideShare(const vpHomogeneousMatrix &cMo)
 {
-  viewSphere();
-  poseScore.setImage(nullptr, nullptr, nullptr, frameCamera, width, height);
-  scoredFrame = 0;
-  return poseScore(cMo).inside;
+  vpPoseScore outline; // What poseScore looks at stays as it is.
+  outline.setSphere(&viewSphere());
+  outline.setImage(nullptr, nullptr, nullptr, frameCamera, width, height);
+  return outline(cMo).inside;
 }
 
 // From poses drawn far and wide to a few that are as good as they can be told from views made beforehand.
@@ -133,7 +122,7 @@ void vpMbMultiCueTracker::Impl::settle(vpPoseSearch &search)
     search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
   } else {
     search.score();
-    search.anneal(nearSpread, keptParents, children, layers);
+    search.anneal(vpPoseSearch::near(), keptParents, children, layers);
   }
 }
 

@@ -91,15 +91,15 @@ void vpMbMultiCueTracker::confirmState()
     impl.mustConfirm = true;
     return;
   }
-  if (impl.state == vpTrackingState::TRACKING && impl.insideShare(m_cMo) < leastInside) {
+  const double inside = impl.state == vpTrackingState::TRACKING ? impl.insideShare(m_cMo) : 0.;
+  if (inside < leastInside) {
     impl.state = vpTrackingState::UNCERTAIN;
   }
   if (!impl.mustConfirm) {
     return;
   }
-  if (impl.state != vpTrackingState::TRACKING || impl.bestExplained < confirming ||
-      impl.insideShare(m_cMo) < insideToConfirm) {
-    impl.state = std::max(impl.state, vpTrackingState::UNCERTAIN);
+  if (inside < insideToConfirm || impl.bestExplained < confirming) {
+    impl.state = vpTrackingState::UNCERTAIN;
     ++impl.lostFrames;
     impl.confirmations = 0;
     return;

@@ -54,6 +54,10 @@ public:
   vpViewSphere &viewSphere();
   //! Lets poseScore look at a frame; all of the image.
   void scoreFrame(const vpCueFrame &frame);
+  //! The same for a part of the image.
+  void scoreRegion(const vpCueFrame &frame, const vpImageRegion &region);
+  //! How far a pose is off the expected one: distance of the object's middle in diameters, and angle in radians.
+  std::array<double, 2> offExpected(const vpHomogeneousMatrix &cMo) const;
   double surpriseAt(const vpHomogeneousMatrix &cMo) const;
   static double shareOf(double value, double usual);
   static double reliability(double variance);
@@ -61,8 +65,6 @@ public:
   double insideShare(const vpHomogeneousMatrix &cMo);
   //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
   double changeSince(const vpHomogeneousMatrix &cMo) const;
-  //! The same for a part of the image.
-  void scoreRegion(const vpCueFrame &frame, const vpImageRegion &region);
   void settle(vpPoseSearch &search);
   void scatterOverBlobs(const vpCueFrame &frame, vpPoseSearch &search, double rotation, std::size_t number);
   //! Forgets what was learnt from images.
