@@ -122,6 +122,12 @@ auto assign(const Json &json, const Range &, Enum &choice) -> std::enable_if_t<s
   return value.has_value();
 }
 
+bool assign(const Json &json, const Range &, std::string &text)
+{
+  text = json.is_string() ? json.get<std::string>() : std::string();
+  return !text.empty();
+}
+
 bool assign(const Json &json, const Range &, CueSum &cues)
 {
   cues.sum = 0;

@@ -147,6 +147,9 @@ std::vector<double> Entry::values(Draft &draft) const
 
 bool Entry::isSet(Draft &draft) const
 {
+  if (const auto *text = std::get_if<std::string &(*)(Draft &)>(&place)) {
+    return !(*text)(draft).empty();
+  }
   const auto *optional = std::get_if<std::optional<double> &(*)(Draft &)>(&place);
   return optional == nullptr || (*optional)(draft).has_value();
 }
@@ -162,6 +165,8 @@ std::string Entry::describe() const
           return "one of " + listText(namesOf(wordsOf(Value())));
         } else if constexpr (std::is_same_v<Value, CueSum>) {
           return "a list of one or more of " + listText(namesOf(cueWords()));
+        } else if constexpr (std::is_same_v<Value, std::string>) {
+          return "\"none\", \"find\" or the path of a models_info.json";
         } else if constexpr (IsList<Value>::value) {
           return "a list [...], each " +
                  range.describe(std::is_integral_v<typename Value::value_type> ? "whole number" : "number");
@@ -303,6 +308,9 @@ const std::vector<Entry> &settingsTable()
       {"prediction", "longestGap", ofPrediction<&Prediction::longestGap>, above(0., infinite, " seconds")},
       {"prediction", "smooth", ofPrediction<&Prediction::smooth>, {}},
       {"search", "", &ofSettings<&Settings::searches>, {}},
+      {"symmetries", "from", &ofSettings<&Settings::symmetries>, {}},
+      {"symmetries", "object", &ofSettings<&Settings::symmetricObject>,
+       between(0., std::numeric_limits<unsigned int>::max())},
       {"lod", "use", &ofSettings<&Settings::useLod>, {}},
       {"lod", "minLineLength", &ofSettings<&Settings::minLineLength>, between(0., infinite, " pixels")},
       {"lod", "minPolygonArea", &ofSettings<&Settings::minPolygonArea>, between(0., infinite, " square pixels")}};

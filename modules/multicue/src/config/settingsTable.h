@@ -60,7 +60,7 @@ using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draf
                            unsigned int &(*)(Draft &), bool &(*)(Draft &), std::vector<unsigned int> &(*)(Draft &),
                            std::vector<double> &(*)(Draft &), vpColorCueSettings::Rows &(*)(Draft &),
                            vpParticleSettings::NoiseFrame &(*)(Draft &), vpParticleSettings::Motion &(*)(Draft &),
-                           vpParticleSettings::Output &(*)(Draft &), CueSum &(*)(Draft &)>;
+                           vpParticleSettings::Output &(*)(Draft &), CueSum &(*)(Draft &), std::string &(*)(Draft &)>;
 
 //! The words for a value that is one of several or, for CueSum, a sum of them.
 using Words = std::vector<std::pair<const char *, int>>;
@@ -85,7 +85,7 @@ struct Entry
   //! \return Its values, false and true as 0 and 1, those of a list in a row; none for a distortion that the camera
   //! does not have, and for words.
   std::vector<double> values(Draft &draft) const;
-  //! \return False for a distortion that the camera does not have.
+  //! \return False for a distortion that the camera does not have, and for a text that is empty.
   bool isSet(Draft &draft) const;
   //! \return What is to be written for it, for instance "true or false".
   std::string describe() const;

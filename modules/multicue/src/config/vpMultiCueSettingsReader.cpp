@@ -25,6 +25,15 @@ bool isJson(const std::string &file)
   return extension == ".json";
 }
 
+// A path in a file is meant from where the file is, and stays right wherever it is written to.
+void resolveSymmetries(const std::string &file, const vpMultiCueSettings &defaults, vpMultiCueSettings &settings)
+{
+  std::string &from = settings.symmetries;
+  if (from != defaults.symmetries && from != "none" && from != "find") {
+    from = std::filesystem::absolute(std::filesystem::path(file).parent_path() / from).lexically_normal().string();
+  }
+}
+
 vpMultiCueSettings checkedSettings(const std::string &file, const Draft &draft)
 {
   try {
@@ -46,6 +55,7 @@ vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const
   } else {
     readXml(file, draft);
   }
+  resolveSymmetries(file, defaults, draft.members);
   const vpMultiCueSettings settings = checkedSettings(file, draft);
   if (verbose) {
     std::cout << "Settings with '" << file << "': " << jsonText(settings) << std::flush;

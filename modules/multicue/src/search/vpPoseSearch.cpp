@@ -50,7 +50,8 @@ vpHomogeneousMatrix vpPoseSearch::draw(const vpHomogeneousMatrix &cMo, const Spr
 // their own.
 double vpPoseSearch::distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const
 {
-  const Eigen::Isometry3d first = vpPoseExponential::toEigen(a);
+  const Eigen::Isometry3d first =
+      vpPoseExponential::toEigen(m_symmetries == nullptr ? a : m_symmetries->nearest(a, b, m_centre, 0.5 * m_diameter));
   const Eigen::Isometry3d second = vpPoseExponential::toEigen(b);
   const Eigen::Vector3d from = first * m_centre;
   const Eigen::Vector3d to = second * m_centre;

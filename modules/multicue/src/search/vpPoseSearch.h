@@ -5,6 +5,7 @@
 #include "search/vpContourAligner.h"
 #include "search/vpPoseScore.h"
 
+#include <visp3/model/vpModelSymmetries.h>
 #include <visp3/se3/vpPoseExponential.h>
 
 #include <algorithm>
@@ -53,6 +54,8 @@ public:
   void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
   // Poses near to a start are likelier than those far from it; before the first score().
   void setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight);
+  // Poses that look alike count as the same; null: none do. To live as long as the search.
+  void setSymmetries(const vpModelSymmetries *symmetries) { m_symmetries = symmetries; }
   // Orientations all around, at a point of the line of sight through a pixel; see spread for depth and translation.
   void scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
                      std::size_t number);
@@ -77,6 +80,7 @@ private:
   double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
 
   const vpPoseScore &m_score;
+  const vpModelSymmetries *m_symmetries = nullptr;
   Eigen::Vector3d m_centre;
   double m_diameter;
   std::uint64_t m_seed;

@@ -39,12 +39,28 @@ unsigned int vpCueFusion::start(const vpHomogeneousMatrix &cMo)
   return cueRows() + (m_prior.isSet() ? vpPosePrior::rows : 0);
 }
 
+// Takes motions that the object's symmetry hides out of the rows.
+void vpCueFusion::hide(const vpHomogeneousMatrix &cMo, Part &part) const
+{
+  if (!m_hides || part.type == m_seeing) {
+    return;
+  }
+  const vpPoseMatrix6 cVo = vpPoseExponential::adjoint(cMo);
+  const vpPoseMatrix6 oVc = vpPoseExponential::adjoint(cMo.inverse());
+  const vpPoseMatrix6 visible = (cVo * m_visible * oVc).transpose();
+  for (vpResidual &row : part.block.rows) {
+    row.jacobian = visible * row.jacobian;
+  }
+}
+
 void vpCueFusion::evaluate(const vpHomogeneousMatrix &cMo, vpColVector &error, vpMatrix &L)
 {
   unsigned int k = 0;
+  m_pose = cMo;
   for (std::size_t i = 0; i < m_count; ++i) {
     Memory &memory = m_parts[i];
     memory.part.cue->residuals(cMo, memory.part.block);
+    hide(cMo, memory.part);
     unsigned int own = 0;
     for (const vpResidual &row : memory.part.block.rows) {
       memory.error[own++] = row.error;

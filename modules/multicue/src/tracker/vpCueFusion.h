@@ -40,12 +40,23 @@ public:
   {
     m_count = 0;
     m_prior.clear();
+    m_hides = false;
   }
   //! \param cue Matched; has to live until the next clear().
   void add(int type, const vpPoseCue &cue);
 
   //! What is known beforehand: its rows come last, and are not weighed. clear() forgets it.
   void setPrior(const vpPosePrior &prior) { m_prior = prior; }
+  /*!
+    Motions that all cues but one are blind to: their interaction matrices lose them. clear() forgets it.
+    \param visible Takes these motions out of small motions, object frame. \param except Type of the one that sees them.
+  */
+  void setVisibleMotions(const vpPoseMatrix6 &visible, int except)
+  {
+    m_visible = visible;
+    m_seeing = except;
+    m_hides = true;
+  }
   //! Number of rows of the cues alone.
   unsigned int cueRows() const;
 
@@ -63,6 +74,8 @@ public:
   //! \return The part of a type, null where it takes no part.
   const Part *find(int type) const;
   const vpPosePrior &prior() const { return m_prior; }
+  //! Where the rows are of.
+  const vpHomogeneousMatrix &pose() const { return m_pose; }
   //! \return Every row. \param use Called with each of them.
   template <typename Use> void forEachRow(const Use &use) const
   {
@@ -85,8 +98,14 @@ private:
     vpColVector w;
   };
 
+  void hide(const vpHomogeneousMatrix &cMo, Part &part) const;
+
   std::vector<Memory> m_parts;
   std::size_t m_count = 0;
+  vpHomogeneousMatrix m_pose;
+  bool m_hides = false;
+  int m_seeing = 0;
+  vpPoseMatrix6 m_visible = vpPoseMatrix6::Identity();
   vpPosePrior m_prior;
   std::array<vpResidual, vpPosePrior::rows> m_priorRows;
 };

@@ -242,6 +242,10 @@ void vpMbMultiCueTracker::tryTurns(const vpCueFrame &frame)
         vpRotationMatrix(vpThetaUVector(axis == 0 ? angle : 0., axis == 1 ? angle : 0., axis == 2 ? angle : 0.)) *
             cMb.getRotationMatrix());
     m_cMo = turned * oMb.inverse();
+    if (impl.symmetries.hides(m_cMo, impl.expectedPose, *impl.model)) {
+      continue;
+    }
+    m_cMo = impl.nearestAlike(m_cMo);
     updateView(frame, m_cMo, 0.);
     if (impl.uses(COLOR_TRACKER)) {
       estimateByCoarseColors(frame);

@@ -197,6 +197,8 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   settings.prediction = m_impl->kalman.settings();
   settings.frameInterval = m_impl->frameInterval;
   settings.searches = m_impl->searches;
+  settings.symmetries = m_impl->symmetries.from();
+  settings.symmetricObject = m_impl->symmetries.object();
   settings.useLod = useLodGeneral;
   settings.minLineLength = minLineLengthThresholdGeneral;
   settings.minPolygonArea = minPolygonAreaThresholdGeneral;
@@ -212,6 +214,13 @@ void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool ver
 void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
 {
   settings.check();
+  vpTrackerSymmetries &symmetries = m_impl->symmetries;
+  const bool isOther = settings.symmetries != symmetries.from() || settings.symmetricObject != symmetries.object();
+  if (isOther && !settings.symmetries.empty()) {
+    const vpTrackedModel *model = m_impl->model.get(); // Read before anything is changed: it may throw.
+    symmetries.set(vpTrackerSymmetries::read(settings.symmetries, settings.symmetricObject, model), settings.symmetries,
+                   settings.symmetricObject, model);
+  }
   const double nearBefore = viewOptions().nearDistance;
   const double farBefore = viewOptions().farDistance;
   setCameraParameters(settings.camera);

@@ -68,6 +68,9 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
       impl.fusion.add(cue, *impl.points);
     }
   }
+  if (impl.symmetries.hasAxis()) { // Only points on the surface may show a turn.
+    impl.fusion.setVisibleMotions(impl.symmetries.visibleMotions(), KLT_TRACKER);
+  }
   if (impl.type != EDGE_TRACKER) {
     setPrior();
     impl.fusion.setPrior(impl.prior);

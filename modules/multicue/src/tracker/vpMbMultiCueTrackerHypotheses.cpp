@@ -64,7 +64,7 @@ bool vpMbMultiCueTracker::proposePose(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   const vpPoseHypothesisSettings &settings = impl.hypotheses.settings();
   const bool mayReach = settings.reach > 1.;
-  impl.hypotheses.setEstimatedMotions(oJo);
+  impl.restrictHypotheses(oJo);
   const vpHomogeneousMatrix cMoStart = m_cMo;
   match(frame, m_cMo);
   // Several poses that explain the image have to be compared. Where the likeliest one does not, the next ones of the
@@ -93,7 +93,7 @@ bool vpMbMultiCueTracker::reachFarther(const vpCueFrame &frame, const vpHomogene
   const double residue = impl.bestResidue();
   const vpHomogeneousMatrix cMoNear = m_cMo;
   std::swap(impl.hypotheses, impl.otherHypotheses);
-  impl.hypotheses.setEstimatedMotions(oJo);
+  impl.restrictHypotheses(oJo);
   m_cMo = cMoStart;
   // Residues are compared at the usual range: with a longer one there is a candidate near to everything.
   bool serves = false;

@@ -60,6 +60,7 @@ void vpMbMultiCueTracker::replaceModel(const std::string &modelFile, bool verbos
   vpTrackedModel loaded = parts.build(modelFile);
   forgetPrimitives();
   m_impl->hasMesh = false;
+  m_impl->symmetries.forget();
   takeModel(std::move(parts), std::move(loaded), modelFile, verbose, odTo);
 }
 

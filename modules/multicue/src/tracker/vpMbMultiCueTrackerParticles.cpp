@@ -222,7 +222,7 @@ void vpMbMultiCueTracker::optimiseParticles(const vpCueFrame &frame)
   const std::vector<std::size_t> best = particles.best(particles.values, m_cMo * oMb, impl.model->diameter());
   particles.proposals.clear();
   particles.residues.clear();
-  impl.hypotheses.setEstimatedMotions(oJo);
+  impl.restrictHypotheses(oJo);
   for (const std::size_t i : best) {
     m_cMo = particles.filter().pose(i) * oMb.inverse();
     viewCoarsely(frame, m_cMo);

@@ -2,6 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpTrackerState.h"
+#include "tracker/vpUnobservedMotions.h"
 
 #include <algorithm>
 #include <limits>
@@ -93,6 +94,9 @@ vpMbTrackingResult vpMbMultiCueTracker::getTrackingResult() const
       result.cues.push_back(impl.resultOf(cue));
       result.cues.back().reason = getCueReason(cue);
     }
+  }
+  if (impl.isJudged) {
+    result.unobserved = vpUnobservedMotions(*impl.model, impl.symmetries).find(impl.fusion);
   }
   result.hypotheses = getPoseHypotheses();
   result.timings = impl.timings;

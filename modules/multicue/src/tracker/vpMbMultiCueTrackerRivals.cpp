@@ -53,6 +53,7 @@ void vpMbMultiCueTracker::searchRivals(const vpCueFrame &frame)
   const double growth = 1. + spreadPerFrame * particles.blindFrames;
   const vpPoseSearch::Spread spread = vpPoseSearch::near().grown(growth);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
   search.setPrior(particles.explained * bMo, spread, vpPoseSearch::usualPrior);
   search.scatter({particles.explained * bMo, m_cMo}, spread, searchNumber);
   impl.settle(search);
@@ -80,9 +81,8 @@ void vpMbMultiCueTracker::optimiseRivals(const vpCueFrame &frame)
     return particles.residues[a] < particles.residues[b];
   });
   const auto add = [&](const vpHomogeneousMatrix &cMb) {
-    const bool isNew = std::none_of(rivals.begin(), rivals.end(), [&](const vpRivalPose &other) {
-      return particles.distance(cMb, other.cMb, diameter) < 1.;
-    });
+    const bool isNew = std::none_of(rivals.begin(), rivals.end(),
+                                    [&](const vpRivalPose &other) { return impl.rivalDistance(cMb, other.cMb) < 1.; });
     if (isNew) {
       vpRivalPose rival;
       rival.cMb = cMb;
@@ -123,7 +123,6 @@ void vpMbMultiCueTracker::compareRivals(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   vpTrackerParticles &particles = impl.particles;
-  const double diameter = impl.model->diameter();
   const vpHomogeneousMatrix cMb = m_cMo * impl.centreFrame();
   const double cutoff = vpPoseHypotheses::cutoff;
   const double residue = impl.state == vpTrackingState::LOST ? cutoff : std::min(impl.bestResidue(), cutoff);
@@ -135,9 +134,9 @@ void vpMbMultiCueTracker::compareRivals(const vpCueFrame &frame)
     const double other = std::min(rival.residue, cutoff);
     const double gain = (residue * residue - other * other) / (usualResidue * usualResidue);
     rival.lead += std::min(std::max(gain, -mostOfFrame), mostOfFrame) - margin;
-    const bool isNew = particles.distance(rival.cMb, cMb, diameter) > 1. &&
+    const bool isNew = impl.rivalDistance(rival.cMb, cMb) > 1. &&
                        std::none_of(kept.begin(), kept.end(), [&](const vpRivalPose &before) {
-                         return particles.distance(rival.cMb, before.cMb, diameter) < 1.;
+                         return impl.rivalDistance(rival.cMb, before.cMb) < 1.;
                        });
     if (isNew && rival.lead > losing) {
       least = std::min(least, other);
@@ -173,7 +172,7 @@ void vpMbMultiCueTracker::takeRival(const vpCueFrame &frame, const vpHomogeneous
 {
   Impl &impl = *m_impl;
   const vpHomogeneousMatrix cMo = m_cMo;
-  m_cMo = cMb * impl.centreFrame().inverse();
+  m_cMo = impl.nearestAlike(cMb * impl.centreFrame().inverse());
   if (isOld) {
     impl.edges.reset();
     impl.usualResidue = 0.;

@@ -33,8 +33,8 @@ const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
 bool vpMbMultiCueTracker::attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
 {
   Impl &impl = *m_impl;
-  m_cMo = cMo;
-  impl.startPose = cMo;
+  m_cMo = impl.nearestAlike(cMo);
+  impl.startPose = m_cMo;
   updateView(frame, m_cMo, 0.);
   if (impl.uses(COLOR_TRACKER)) {
     estimateByCoarseColors(frame);
@@ -48,6 +48,7 @@ void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
   search.setPrior(impl.expectedPose, vpPoseSearch::near(), vpPoseSearch::usualPrior);
   search.scatter({impl.expectedPose}, vpPoseSearch::near(), nearNumber);
   for (const vpPoseMode &mode : getPoseModes()) { // What the frames before left open.
@@ -68,6 +69,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
   const double growth = 1. + spreadPerFrame * impl.lostFrames;
   const vpPoseSearch::Spread spread = vpPoseSearch::near().grown(growth);
   search.setPrior(impl.trusted, spread, vpPoseSearch::usualPrior);

@@ -61,6 +61,7 @@ const vpTrackedModel &vpMbMultiCueTracker::Impl::requireModel() const
 void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
 {
   model = std::make_shared<const vpTrackedModel>(std::move(loaded));
+  symmetries.setModel(*model);
   view = std::make_unique<vpModelView>(model);
   displayView.reset();
   depthRenderer.reset();

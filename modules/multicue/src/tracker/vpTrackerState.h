@@ -8,6 +8,7 @@
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpPoseUncertainty.h"
 #include "tracker/vpTextureSupport.h"
+#include "tracker/vpTrackerSymmetries.h"
 
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
@@ -115,6 +116,10 @@ public:
     const Eigen::Vector3d at = model->centre();
     return vpHomogeneousMatrix(vpTranslationVector(at.x(), at.y(), at.z()), vpRotationMatrix());
   }
+  //! Of the poses that look like one, the nearest to where the object is believed to be.
+  vpHomogeneousMatrix nearestAlike(const vpHomogeneousMatrix &cMo) const;
+  double rivalDistance(const vpHomogeneousMatrix &c1Mb, const vpHomogeneousMatrix &c2Mb) const;
+  void restrictHypotheses(const vpMatrix &oJo);
   bool uses(int cue) const { return (type & cue) != 0; }
   //! True where the Kalman filter has to follow the object.
   bool usesVelocity() const
@@ -143,6 +148,8 @@ public:
   std::unique_ptr<vpTrackedModelBuilder> parts; // What loadModel() added up to now.
   bool hasMesh = false;                         // One of the parts is a mesh.
   std::shared_ptr<const vpTrackedModel> model;
+  vpTrackerSymmetries symmetries;
+  vpMatrix visibleMotions; // Scratch memory.
   std::unique_ptr<vpModelRenderer> renderer;
   std::unique_ptr<vpModelView> view;
   std::unique_ptr<vpModelRenderer> depthRenderer; // For new points, of convex models too; made when first needed.

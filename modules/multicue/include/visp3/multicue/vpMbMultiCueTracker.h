@@ -6,6 +6,7 @@
 #include <visp3/cues/vpImageRegion.h>
 #include <visp3/klt/vpKltOpencv.h>
 #include <visp3/mbt/vpMbTracker.h>
+#include <visp3/model/vpModelSymmetries.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
 #include <visp3/multicue/vpMbTrackingResult.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
@@ -73,6 +74,12 @@ public:
   const vpModelReport &getModelReport() const;
   //! The model itself, null before loadModel().
   std::shared_ptr<const vpTrackedModel> getModel() const;
+  /*!
+    Says from where the object looks the same, see \ref multicue_symmetries. None by default; reInitModel() forgets
+    them. \param symmetries Given, read by vpModelSymmetriesReader, or found by vpFindSymmetries().
+  */
+  void setSymmetries(const vpModelSymmetries &symmetries);
+  const vpModelSymmetries &getSymmetries() const;
   //! Replaces the model by another one and starts it at a pose.
   virtual void reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
                            const vpHomogeneousMatrix &cMo, bool verbose = false,

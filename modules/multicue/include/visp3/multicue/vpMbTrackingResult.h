@@ -2,6 +2,7 @@
 #ifndef vpMbTrackingResult_h
 #define vpMbTrackingResult_h
 
+#include <visp3/core/vpColVector.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpMatrix.h>
 #include <visp3/multicue/vpPoseHypotheses.h>
@@ -50,6 +51,17 @@ struct vpMbTrackingResult
     std::string reason; //!< vpMbMultiCueTracker::getCueReason(): empty where the cue took part in the pose.
   };
 
+  //! A small motion of the object that the last image did not show.
+  struct UnobservedMotion
+  {
+    /*!
+      Shift (metres) and turn (radians) of a frame in the middle of the object's box that has the axes of the object's
+      own: turns have a length of 1 rad, shifts without a turn one of 1 m.
+    */
+    vpColVector direction;
+    std::string text; //!< "turn about the object's z axis", "shift along the object's x axis", or where it is neither.
+  };
+
   vpHomogeneousMatrix cMo; //!< Object to camera, metres.
   //! 6 x 6 of vpMbTracker::getCovarianceMatrix(), metres and radians. Empty where setCovarianceComputation() is off.
   vpMatrix covariance;
@@ -59,6 +71,12 @@ struct vpMbTrackingResult
   Reason reason = Reason::NOT_STARTED;
   std::string text; //!< The reason as a sentence, with numbers, for a log.
   std::vector<Cue> cues;
+  /*!
+    Motions that the features of the last image do not constrain: what the pose says of them is what it said before the
+    image. Empty where it shows all six, and before the first image; all six where no pose was estimated. See
+    \ref multicue_unobserved.
+  */
+  std::vector<UnobservedMotion> unobserved;
   std::vector<vpPoseHypothesis> hypotheses; //!< vpMbMultiCueTracker::getPoseHypotheses().
   vpTrackingTimings timings;                //!< vpMbMultiCueTracker::getTimings(), milliseconds.
 };

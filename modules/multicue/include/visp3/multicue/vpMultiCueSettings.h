@@ -30,9 +30,13 @@ struct VISP_EXPORT vpMultiCueSettings
   vpPoseKalmanSettings prediction; //!< How the object is taken to move.
   double frameInterval = 1. / 30.; //!< Time between two images, seconds, > 0.
   bool searches = false;           //!< Look for a lost object everywhere, see vpMbMultiCueTracker::setSearch().
-  bool useLod = false;             //!< Leave out what is small in the image, see vpMbTracker::setLod().
-  double minLineLength = 50.;      //!< With useLod: shortest line, pixels, >= 0.
-  double minPolygonArea = 2500.;   //!< With useLod: smallest face, square pixels, >= 0.
+  //! Poses that look alike: "none", "find" (vpFindSymmetries()) or the path of a models_info.json; empty: as
+  //! vpMbMultiCueTracker::setSymmetries() says.
+  std::string symmetries;
+  unsigned int symmetricObject = 0; //!< Its number in models_info.json; 0 for the only one.
+  bool useLod = false;              //!< Leave out what is small in the image, see vpMbTracker::setLod().
+  double minLineLength = 50.;       //!< With useLod: shortest line, pixels, >= 0.
+  double minPolygonArea = 2500.;    //!< With useLod: smallest face, square pixels, >= 0.
   bool clipToImage = false; //!< ViSP's fov_clipping; kept for vpMbTracker::getClipping(), lines are always clipped.
 
   //! What a tracker starts with: edges of the texture are used.
@@ -69,6 +73,7 @@ struct VISP_EXPORT vpMultiCueSettings
   - prediction: enabled, frameInterval, translationWander, rotationWander, startTranslation, startRotation, longestGap,
     smooth;
   - search: true or false, no object;
+  - symmetries: from ("none", "find", or the path of a models_info.json, from the folder of the settings' file), object;
   - lod: use, minLineLength, minPolygonArea,
 
   all of them optional, with the units and ranges of the members of the same name. Comments are allowed.
