@@ -48,7 +48,7 @@ public:
     motion[2] = 0.03 * std::sin(0.7 * t);
     motion[3] = 0.25 * std::sin(0.9 * t);
     motion[4] = 0.25 * std::sin(1.1 * t);
-    return vpHomogeneousMatrix(0.01, -0.01, 0.45, 1.1, 0.4, 0.) * vpExponentialMap::direct(motion);
+    return vpHomogeneousMatrix(0.01, -0.01, 0.45, 0.8, 0.3, 0.) * vpExponentialMap::direct(motion);
   }
 
   vpImage<vpRGBa> draw(const vpHomogeneousMatrix &cMo)

@@ -44,7 +44,8 @@ void vpMbMultiCueTracker::predict()
   const bool isStale = impl.searches && !impl.mayCoast();
   if (impl.predicts && impl.kalman.isStarted() && !isFound && !isStale) {
     const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
-    m_cMo = expected.cMo;
+    // Of a turn that nothing shows, the filter would go on with what tilting the axis made it believe.
+    m_cMo = impl.holdsTurns() ? impl.symmetries.nearest(expected.cMo, m_cMo, *impl.model) : expected.cMo;
     predictRange(expected.covariance);
   }
   impl.expectedPose = m_cMo;
@@ -187,6 +188,9 @@ void vpMbMultiCueTracker::updateMotion()
   }
   const double translation = leastTranslation * impl.model->diameter();
   vpPoseMatrix6 covariance = impl.uncertainty.covariance();
+  if (impl.holdsTurns()) {
+    covariance = impl.symmetries.settled(covariance, m_cMo);
+  }
   covariance.diagonal().head<3>().array() += translation * translation;
   covariance.diagonal().tail<3>().array() += leastRotation * leastRotation;
   impl.kalman.update(m_cMo, covariance, impl.sinceUpdate);

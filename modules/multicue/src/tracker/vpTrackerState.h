@@ -118,6 +118,12 @@ public:
   }
   //! Of the poses that look like one, the nearest to where the object is believed to be.
   vpHomogeneousMatrix nearestAlike(const vpHomogeneousMatrix &cMo) const;
+  //! True where nothing in the last image showed a turn about an axis of symmetry.
+  bool holdsTurns() const
+  {
+    const vpCueFusion::Part *part = fusion.find(KLT_TRACKER);
+    return symmetries.hasAxis() && (part == nullptr || part->block.rows.empty());
+  }
   double rivalDistance(const vpHomogeneousMatrix &c1Mb, const vpHomogeneousMatrix &c2Mb) const;
   void restrictHypotheses(const vpMatrix &oJo);
   bool uses(int cue) const { return (type & cue) != 0; }

@@ -76,6 +76,13 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> vpTrackerSymmetries::hiddenMotions() co
   return motions;
 }
 
+vpPoseMatrix6 vpTrackerSymmetries::settled(const vpPoseMatrix6 &covariance, const vpHomogeneousMatrix &cMo) const
+{
+  const vpPoseMatrix6 visible = vpPoseExponential::adjoint(cMo) * m_visible * vpPoseExponential::adjoint(cMo.inverse());
+  const vpPoseMatrix6 settled = visible * covariance * visible.transpose();
+  return 0.5 * (settled + settled.transpose());
+}
+
 void vpTrackerSymmetries::measure(const vpTrackedModel &model)
 {
   if (!hasAxis()) {

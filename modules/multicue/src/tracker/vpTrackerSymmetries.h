@@ -52,6 +52,9 @@ public:
     to them where a turn counts as the path of a point at half the diameter.
   */
   const vpPoseMatrix6 &visibleMotions() const { return m_visible; }
+  //! Covariance of a pose's error, camera frame, where turns about the axes are what they were said to be: to a filter,
+  //! a turn of which nothing is known is one that may have any speed.
+  vpPoseMatrix6 settled(const vpPoseMatrix6 &covariance, const vpHomogeneousMatrix &cMo) const;
   //! The turns about the axes as small motions, object frame.
   Eigen::Matrix<double, 6, Eigen::Dynamic> hiddenMotions() const;
 
