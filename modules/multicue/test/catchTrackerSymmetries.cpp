@@ -164,7 +164,7 @@ TEST_CASE("Of the poses that look alike the one nearest to the last is found aga
   REQUIRE(tracker.getTrackingState() == vpTrackingState::LOST);
   // Turned by 65 degrees it looks as if turned back by 25.
   const vpHomogeneousMatrix truth = plainScene::poseAt(10) * turnAboutZ(65.);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 25 && tracker.getTrackingState() != vpTrackingState::TRACKING; ++i) {
     tracked.show(truth);
   }
   REQUIRE(tracker.getTrackingState() == vpTrackingState::TRACKING);
