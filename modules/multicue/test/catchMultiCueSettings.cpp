@@ -115,7 +115,7 @@ const std::vector<Case> cases = {
     {"prediction", "startRotation", {"1e-9", "10"}, {"0", "-1"}},
     {"prediction", "longestGap", {"1e-9", "10"}, {"0", "-1"}},
     {"prediction", "smooth", {"true", "false"}, {"\"yes\""}},
-    {"symmetries", "from", {"\"none\"", "\"find\"", "\"models_info.json\""}, {"3", "true", "\"\""}},
+    {"symmetries", "from", {"\"none\"", "\"find\"", "\"models_info.json\"", "\"\""}, {"3", "true"}},
     {"symmetries", "object", {"0", "4294967295"}, {"-1", "4294967296", "1.0"}},
     {"lod", "use", {"true", "false"}, {"0"}},
     {"lod", "minLineLength", {"0", "50"}, {"-1"}},
@@ -273,7 +273,8 @@ TEST_CASE("What is not known is named, with what is")
   CHECK_THAT(
       refusedJson(R"({"edges": {}})"),
       ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
-          ContainsSubstring("cues, camera, edge, hypotheses, particles, view, klt, color, prediction, search, symmetries, lod"));
+          ContainsSubstring(
+              "cues, camera, edge, hypotheses, particles, view, klt, color, prediction, search, symmetries, lod"));
   CHECK_THAT(refusedJson(R"({"edge": {"Range": 3}})"),
              ContainsSubstring("'Range' is not known in 'edge'") &&
                  ContainsSubstring("range, contrast, mu1, mu2, maskSize, candidates"));

@@ -85,6 +85,27 @@ Eigen::Matrix3d bestRotation(const Eigen::Vector3d &q, const Eigen::Vector3d &ta
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
+// The turn after which a pose is nearest to another one. Searches compare thousands of poses: only what depends on the
+// turn is looked at, |R D c + t - target|^2 - 2 weight tr(M D).
+std::size_t nearestTurn(const std::vector<Eigen::Isometry3d> &turns, const Eigen::Isometry3d &pose,
+                        const Eigen::Isometry3d &reference, const Eigen::Vector3d &centre, double weight)
+{
+  const Eigen::Vector3d target = pose.linear().transpose() * (reference * centre - pose.translation());
+  const Eigen::Matrix3d transposed = pose.linear().transpose() * reference.linear();
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const Eigen::Vector3d moved = turns[i].linear() * centre + turns[i].translation();
+    const double trace = transposed.cwiseProduct(turns[i].linear()).sum();
+    const double value = (moved - target).squaredNorm() - 2. * weight * trace;
+    if (value < least) {
+      least = value;
+      best = i;
+    }
+  }
+  return best;
+}
+
 vpSymmetryAxis checkedAxis(const vpSymmetryAxis &axis)
 {
   const double length = axis.direction.norm();
@@ -243,20 +264,19 @@ vpHomogeneousMatrix vpModelSymmetries::nearest(const vpHomogeneousMatrix &cMo, c
   const double weight = radius * radius / 3.;
   const Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
   const Eigen::Isometry3d target = vpPoseExponential::toEigen(reference);
+  if (m_axes.empty()) {
+    const std::size_t turn = nearestTurn(m_discrete, pose, target, centre, weight);
+    return turn == 0 ? cMo : toVisp(pose * m_discrete[turn]);
+  }
   Eigen::Isometry3d best = pose;
   double least = std::numeric_limits<double>::infinity();
-  bool isItself = false;
   for (const Eigen::Isometry3d &turn : m_discrete) {
     const Eigen::Isometry3d candidate = turned(pose * turn, target, centre, weight);
     const double distance = squaredDistance(candidate, target, centre, weight);
     if (distance < least) {
       least = distance;
       best = candidate;
-      isItself = m_axes.empty() && &turn == &m_discrete.front();
     }
-  }
-  if (isItself) {
-    return cMo;
   }
   return toVisp(best);
 }

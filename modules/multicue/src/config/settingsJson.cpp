@@ -125,7 +125,7 @@ auto assign(const Json &json, const Range &, Enum &choice) -> std::enable_if_t<s
 bool assign(const Json &json, const Range &, std::string &text)
 {
   text = json.is_string() ? json.get<std::string>() : std::string();
-  return !text.empty();
+  return json.is_string();
 }
 
 bool assign(const Json &json, const Range &, CueSum &cues)

@@ -147,9 +147,6 @@ std::vector<double> Entry::values(Draft &draft) const
 
 bool Entry::isSet(Draft &draft) const
 {
-  if (const auto *text = std::get_if<std::string &(*)(Draft &)>(&place)) {
-    return !(*text)(draft).empty();
-  }
   const auto *optional = std::get_if<std::optional<double> &(*)(Draft &)>(&place);
   return optional == nullptr || (*optional)(draft).has_value();
 }
@@ -166,7 +163,7 @@ std::string Entry::describe() const
         } else if constexpr (std::is_same_v<Value, CueSum>) {
           return "a list of one or more of " + listText(namesOf(cueWords()));
         } else if constexpr (std::is_same_v<Value, std::string>) {
-          return "\"none\", \"find\" or the path of a models_info.json";
+          return "\"none\", \"find\", the path of a models_info.json, or \"\" for what the program says";
         } else if constexpr (IsList<Value>::value) {
           return "a list [...], each " +
                  range.describe(std::is_integral_v<typename Value::value_type> ? "whole number" : "number");

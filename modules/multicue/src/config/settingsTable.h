@@ -85,7 +85,7 @@ struct Entry
   //! \return Its values, false and true as 0 and 1, those of a list in a row; none for a distortion that the camera
   //! does not have, and for words.
   std::vector<double> values(Draft &draft) const;
-  //! \return False for a distortion that the camera does not have, and for a text that is empty.
+  //! \return False for a distortion that the camera does not have.
   bool isSet(Draft &draft) const;
   //! \return What is to be written for it, for instance "true or false".
   std::string describe() const;

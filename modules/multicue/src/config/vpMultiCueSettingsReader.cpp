@@ -29,7 +29,7 @@ bool isJson(const std::string &file)
 void resolveSymmetries(const std::string &file, const vpMultiCueSettings &defaults, vpMultiCueSettings &settings)
 {
   std::string &from = settings.symmetries;
-  if (from != defaults.symmetries && from != "none" && from != "find") {
+  if (!from.empty() && from != defaults.symmetries && from != "none" && from != "find") {
     from = std::filesystem::absolute(std::filesystem::path(file).parent_path() / from).lexically_normal().string();
   }
 }
