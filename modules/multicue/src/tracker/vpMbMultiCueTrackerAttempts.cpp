@@ -38,6 +38,8 @@ const double steadyVariance = 0.15 * 0.15;
 const double usualRiseRate = 0.1;
 const double usualFallRate = 0.02;
 const double unsteadinessRate = 0.05;
+// Poses that look alike and are nearer than this to one another are the same one, diameters.
+const double sameAlike = 0.05;
 // Turns of the object that are tried, radians.
 const double turn = 0.35;
 
@@ -263,9 +265,25 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.bestExplained = -1.;
   impl.bestValue = -2.;
   impl.surface.setFrame(frame);
+  // After a loss the estimation may lead to another one of the poses that look alike than the nearest to the last.
+  const auto takeNearestAlike = [&] {
+    if (!impl.mustConfirm || impl.symmetries.get() == nullptr) {
+      return true;
+    }
+    const vpHomogeneousMatrix alike = impl.nearestAlike(m_cMo);
+    const double diameter = impl.model->diameter();
+    if (vpModelSymmetries::distance(alike, m_cMo, impl.model->centre(), 0.5 * diameter) < sameAlike * diameter) {
+      return true;
+    }
+    m_cMo = alike;
+    impl.startPose = alike;
+    const bool isFound = refineFused(frame);
+    explainedShare();
+    return isFound;
+  };
   estimateCoarse(frame);
   if (takeAttempt(refineFused(frame))) {
-    return true;
+    return takeNearestAlike();
   }
   if (impl.mustConfirm) {
     impl.usesPoints = false;
@@ -284,7 +302,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
     }
     explainedShare();
   }
-  return true;
+  return takeNearestAlike();
 }
 
 END_VISP_NAMESPACE
