@@ -94,6 +94,8 @@ TEST_CASE("Every node comes where it belongs")
   keptOnly.prediction = unusual().prediction;
   keptOnly.frameInterval = unusual().frameInterval;
   keptOnly.searches = unusual().searches;
+  keptOnly.symmetries = unusual().symmetries;
+  keptOnly.symmetricObject = unusual().symmetricObject;
   keptOnly.view.border = unusual().view.border;
   keptOnly.view.visibilitySize = unusual().view.visibilitySize;
   keptOnly.view.textureEdges = unusual().view.textureEdges;
