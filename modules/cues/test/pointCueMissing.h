@@ -7,7 +7,7 @@
 
 /*!
   \file pointCueMissing.h
-  What is left to test of the point cue in a build without OpenCV's video module.
+  What is left to test of the point cue in a build without OpenCV's video, features2d or calib3d module.
 */
 
 TEST_CASE("Without OpenCV the point cue says so", "[point-cue]")

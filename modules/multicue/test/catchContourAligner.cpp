@@ -17,7 +17,7 @@ vpContourAligner alignerFor(BoxScene &scene)
 {
   vpContourAligner aligner;
   aligner.setSphere(&scene.sphere);
-  aligner.setImage(scene.odds, scene.camera, scene.width, scene.height);
+  aligner.setImage(&scene.odds, &scene.edges, scene.camera, scene.width, scene.height);
   return aligner;
 }
 
@@ -25,7 +25,7 @@ vpContourAligner alignerFor(BoxScene &scene)
 bool alignAll(const vpContourAligner &aligner, Eigen::Isometry3d &pose)
 {
   for (const double reach : {0.15, 0.15, 0.08, 0.08, 0.05, 0.05, 0.03, 0.03}) {
-    if (!aligner.step(pose, reach)) {
+    if (!aligner.stepByColors(pose, reach)) {
       return false;
     }
   }
@@ -54,6 +54,33 @@ TEST_CASE("From ten degrees and a twentieth of the diameter off, the silhouette 
   }
 }
 
+TEST_CASE("From five degrees and a fiftieth of the diameter off, edges lead to the pose", "[contour-aligner]")
+{
+  BoxScene scene;
+  const vpContourAligner aligner = alignerFor(scene);
+  const double shift = 0.02 * scene.model->diameter() / std::sqrt(2.);
+  for (const Eigen::Vector3d &axis : searchScenes::axes()) {
+    for (const double sign : {-1., 1.}) {
+      CAPTURE(axis.transpose(), sign);
+      const vpHomogeneousMatrix start =
+          searchScenes::displaced(searchScenes::truePose(), axis, 5. * sign, sign * Eigen::Vector3d(shift, -shift, 0.));
+      Eigen::Isometry3d pose = vpPoseExponential::toEigen(start);
+      for (int i = 0; i < 8; ++i) {
+        REQUIRE(aligner.stepByEdges(pose));
+      }
+      const searchScenes::Difference left =
+          differenceOf(vpPoseExponential::fromEigen(pose), searchScenes::truePose(), *scene.model);
+      CHECK(left.degrees < 2.);
+      CHECK(left.diameters < 0.02);
+    }
+  }
+  Eigen::Isometry3d behind = vpPoseExponential::toEigen(searchScenes::truePose());
+  behind.translation().z() = -0.5;
+  const Eigen::Isometry3d before = behind;
+  CHECK_FALSE(aligner.stepByEdges(behind));
+  CHECK((behind.matrix() - before.matrix()).norm() == 0.);
+}
+
 TEST_CASE("The true pose stays where it is", "[contour-aligner]")
 {
   BoxScene scene;
@@ -75,7 +102,7 @@ TEST_CASE("Where no colour says anything, nothing moves", "[contour-aligner]")
   const vpContourAligner aligner = alignerFor(scene);
   const Eigen::Isometry3d start = vpPoseExponential::toEigen(searchScenes::truePose());
   Eigen::Isometry3d pose = start;
-  CHECK(aligner.step(pose, 0.1));
+  CHECK(aligner.stepByColors(pose, 0.1));
   CHECK((pose.matrix() - start.matrix()).norm() < 1e-12);
 }
 
@@ -91,7 +118,7 @@ TEST_CASE("Poses without the object in view are left as they are", "[contour-ali
   for (const vpHomogeneousMatrix &cMo : poses) {
     const Eigen::Isometry3d start = vpPoseExponential::toEigen(cMo);
     Eigen::Isometry3d pose = start;
-    CHECK_FALSE(aligner.step(pose, 0.1));
+    CHECK_FALSE(aligner.stepByColors(pose, 0.1));
     CHECK((pose.translation() == start.translation() || std::isnan(cMo[0][3])));
     CHECK(pose.linear() == start.linear());
   }
@@ -109,7 +136,7 @@ TEST_CASE("A pose is finite after every step, wherever it begins", "[contour-ali
         Eigen::Isometry3d pose =
             vpPoseExponential::toEigen(searchScenes::displaced(cMo, axis, 70., Eigen::Vector3d(0.03, 0.05, 0.)));
         for (int k = 0; k < 5; ++k) {
-          aligner.step(pose, reach);
+          aligner.stepByColors(pose, reach);
           REQUIRE(pose.matrix().allFinite());
           REQUIRE(pose.translation().z() > 0.);
         }

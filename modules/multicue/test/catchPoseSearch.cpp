@@ -25,7 +25,7 @@ struct Judged : BoxScene
     score.setSphere(&sphere);
     score.setImage(&edges, &odds, nullptr, camera, width, height);
     aligner.setSphere(&sphere);
-    aligner.setImage(odds, camera, width, height);
+    aligner.setImage(&odds, nullptr, camera, width, height);
   }
 
   //! What the tracker does where the object was lost, on a smaller scale.
@@ -33,11 +33,11 @@ struct Judged : BoxScene
   {
     vpPoseSearch search(score, *model, seed);
     search.scatter({start}, {0.12, 0.35, 0.15}, 60);
-    search.align(aligner, 0.15, 2);
-    search.align(aligner, 0.08, 1);
+    search.alignByColors(aligner, 0.15, 2);
+    search.alignByColors(aligner, 0.08, 1);
     search.score();
     search.keepBest(24, {0.04, 0.12, 0.08});
-    search.align(aligner, 0.05, 2);
+    search.alignByColors(aligner, 0.05, 2);
     search.score();
     search.anneal({0.05, 0.15, 0.08}, 12, 60, 2);
     return search.candidates();

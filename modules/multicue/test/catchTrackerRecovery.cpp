@@ -48,10 +48,11 @@ const vpRGBa black(0, 0, 0);
 //! A tracker of a printed box before a cluttered background, and what it said of the last frame.
 struct Tracked
 {
-  explicit Tracked(bool searches)
+  static constexpr int edgesAndPoints = vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER;
+
+  explicit Tracked(bool searches, int type = edgesAndPoints | vpMbMultiCueTracker::COLOR_TRACKER)
   {
-    tracker.setTrackerType(vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER |
-                           vpMbMultiCueTracker::COLOR_TRACKER);
+    tracker.setTrackerType(type);
     tracker.setCameraParameters(colorScenes::makeCamera());
     tracker.loadModel(writeBox(meshFiles::temporaryFile("recovery-box.obj")));
     tracker.setPrediction(true);
@@ -166,6 +167,25 @@ vpImage<vpRGBa> noise(std::uint64_t seed)
   return I;
 }
 } // namespace
+
+TEST_CASE("Without colours, what was seen of the surface tells of jumps that turn the image by 50 degrees",
+          "[recovery]")
+{
+  const vpHomogeneousMatrix before = Tracked::swaying(12);
+  int right = 0;
+  for (const double sign : {-1., 1.}) {
+    for (const double shift : {-0.03, 0., 0.03}) {
+      Tracked box(true, Tracked::edgesAndPoints);
+      Eigen::Isometry3d pose = vpPoseExponential::toEigen(before);
+      pose.linear() = Eigen::AngleAxisd(sign * 50. * M_PI / 180., Eigen::Vector3d::UnitZ()) * pose.linear();
+      pose.translation() += Eigen::Vector3d(shift, -shift, 0.);
+      const vpHomogeneousMatrix jumped = vpPoseExponential::fromEigen(pose);
+      box.show(jumped);
+      right += box.isRight(jumped) ? 1 : 0;
+    }
+  }
+  CHECK(right >= 5);
+}
 
 TEST_CASE("An object that left the image is found where it comes back, turned by 40 degrees", "[recovery]")
 {

@@ -43,7 +43,7 @@ struct SearchScene
     score.setSphere(&sphere);
     score.setImage(&edges, &odds, &memory, scene.camera(), scene.width(), scene.height());
     aligner.setSphere(&sphere);
-    aligner.setImage(odds, scene.camera(), scene.width(), scene.height());
+    aligner.setImage(&odds, nullptr, scene.camera(), scene.width(), scene.height());
     for (std::uint64_t k = 0; k < 64; ++k) {
       poses.push_back(cMo * vpPoseExponential::exp(0.02 * vpPoseRandom(1, {k}).normalTangent()));
       sphere.make(sphere.nearest(poses.back()));
@@ -139,7 +139,7 @@ inline void stepSilhouette(benchmark::State &state, BenchScene &scene)
   std::size_t k = 0;
   for (auto _ : state) {
     Eigen::Isometry3d pose = poses[k++ % poses.size()];
-    benchmark::DoNotOptimize(search.aligner.step(pose, 0.08));
+    benchmark::DoNotOptimize(search.aligner.stepByColors(pose, 0.08));
   }
   const vpSphereView &view = search.sphere.view(search.sphere.nearest(search.cMo));
   state.counters["points"] = static_cast<double>(view.silhouettes());

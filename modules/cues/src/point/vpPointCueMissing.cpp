@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Compiled in place of the point cue where OpenCV's video module was not found.
+// Compiled in place of the point cue where OpenCV's video, features2d or calib3d module was not found.
 #include <visp3/cues/vpPointCue.h>
 
 #include <visp3/core/vpException.h>
@@ -20,8 +20,9 @@ bool vpPointCue::isAvailable()
 
 vpPointCue::vpPointCue(const vpPointCueSettings &)
 {
-  throw vpException(vpException::functionNotImplementedError,
-                    "this library was built without OpenCV's video module: install it and build it again");
+  throw vpException(
+      vpException::functionNotImplementedError,
+      "this library was built without OpenCV's video, features2d or calib3d module: install it and build it again");
 }
 
 vpPointCue::~vpPointCue() = default;

@@ -18,6 +18,10 @@ const float fullGain = 4.F;                             // One that does it bett
 const double motion = 0.1; // Diameters.
 const double turn = 0.25;  // Radians.
 const std::size_t fewestPoints = 6;
+// Where a distance map's slope is looked at, and the weight of an edge that runs across, pixels.
+const float slopeReach = 2.F;
+const float leastSlope = 0.1F;
+const double edgeDeviation = 4.; // Of an edge's place: the nearest one is often another one, pixels.
 } // namespace
 
 /*
@@ -55,19 +59,22 @@ struct vpContourAligner::Equations
   }
 };
 
-void vpContourAligner::setImage(const vpColorOddsMap &colors, const vpCameraParameters &cam, unsigned int width,
-                                unsigned int height)
+void vpContourAligner::setImage(const vpColorOddsMap *colors, const vpOrientedDistanceMap *edges,
+                                const vpCameraParameters &cam, unsigned int width, unsigned int height)
 {
-  m_colors = &colors;
+  m_colors = colors;
+  m_edges = edges;
   m_camera = vpPointCamera(cam, width, height);
 }
 
 // With sums S_k from the inside outwards, the contour's place k has all before it inside: 2 S_k - S is largest there.
 // Without a contour, all of the line is inside or all of it outside, which is worth |S|.
-vpContourAligner::Contour vpContourAligner::findContour(float u, float v, float du, float dv, float spacing) const
+vpContourAligner::Contour vpContourAligner::findByColors(const vpSeenPoint &point, float spacing) const
 {
+  const float du = spacing * point.normalU / point.length;
+  const float dv = spacing * point.normalV / point.length;
   std::array<int, 2 * places + 1> odds;
-  m_colors->lookUpLine(u - places * du, v - places * dv, du, dv, odds);
+  m_colors->lookUpLine(point.u - places * du, point.v - places * dv, du, dv, odds);
   int sum = 0;
   int largest = -fullSteps - 1;
   int best = 0;
@@ -76,58 +83,95 @@ vpContourAligner::Contour vpContourAligner::findContour(float u, float v, float 
     best = sum > largest ? k : best;
     largest = std::max(largest, sum);
   }
-  const int gain = 2 * largest - sum - std::abs(sum);
-  return {static_cast<float>(gain) * (1.F / vpColorOddsMap::stepsPerUnit),
-          (static_cast<float>(best - places) + 0.5F) * spacing};
+  const float gain = static_cast<float>(2 * largest - sum - std::abs(sum)) * (1.F / vpColorOddsMap::stepsPerUnit);
+  const float offset = (static_cast<float>(best - places) + 0.5F) * spacing;
+  return {gain < leastGain ? 0.F : std::min(gain, fullGain) / (1.F + std::fabs(offset) / (3.F * spacing)), offset};
 }
 
-void vpContourAligner::addPoint(const vpSeenPoint &point, const Eigen::Vector3f &centre, float spacing,
-                                Equations &equations) const
+vpContourAligner::Contour vpContourAligner::findByEdges(const vpSeenPoint &point) const
 {
-  if (!(point.length > 0.F)) {
-    return;
-  }
+  const int bin = vpOrientedDistanceMap::bin(point.normalU, point.normalV);
+  const auto distance = [&](float offset) {
+    const float u = point.u + offset * point.normalU / point.length;
+    const float v = point.v + offset * point.normalV / point.length;
+    return static_cast<float>(m_edges->distance(u, v, bin));
+  };
+  const float here = distance(0.F);
+  const float inside = distance(-slopeReach);
+  const float outside = distance(slopeReach);
+  const float share = here / static_cast<float>(m_edges->settings().maxDistance);
+  const float slope = (inside - outside) / (2.F * slopeReach); // 1 where the edge is straight outwards.
+  return {std::max(1.F - share * share, 0.F) * std::min(std::fabs(slope) + leastSlope, 1.F),
+          slope < 0.F ? -here : here};
+}
+
+void vpContourAligner::addContour(const vpSeenPoint &point, const Eigen::Vector3f &centre, const Contour &contour,
+                                  Equations &equations) const
+{
   ++equations.points;
-  const float scale = 1.F / point.length;
-  const float normalU = point.normalU * scale;
-  const float normalV = point.normalV * scale;
-  const Contour contour = findContour(point.u, point.v, spacing * normalU, spacing * normalV, spacing);
-  if (contour.gain < leastGain) {
+  if (!(contour.weight > 0.F)) {
     return;
   }
+  const float scale = 1.F / point.length;
   // How the point's image moves along the normal with the point, and so with the pose about the object's centre.
   const float inverse = 1.F / point.z;
-  const float gx = m_camera.px * normalU * inverse;
-  const float gy = m_camera.py * normalV * inverse;
+  const float gx = m_camera.px * point.normalU * scale * inverse;
+  const float gy = m_camera.py * point.normalV * scale * inverse;
   const float gz = -(gx * point.x + gy * point.y) * inverse;
   const float x = point.x - centre.x();
   const float y = point.y - centre.y();
   const float z = point.z - centre.z();
-  const float weight = std::min(contour.gain, fullGain) / (1.F + std::fabs(contour.offset) / (3.F * spacing));
-  equations.add({{gx, gy, gz, y * gz - z * gy, z * gx - x * gz, x * gy - y * gx, contour.offset, 0.F}}, weight);
+  equations.add({{gx, gy, gz, y * gz - z * gy, z * gx - x * gz, x * gy - y * gx, contour.offset, 0.F}}, contour.weight);
 }
 
-bool vpContourAligner::step(Eigen::Isometry3d &cMo, double reach) const
+const vpSphereView &vpContourAligner::viewAt(const Eigen::Isometry3d &cMo) const
+{
+  return m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -(cMo * m_sphere->model().centre())));
+}
+
+bool vpContourAligner::stepByColors(Eigen::Isometry3d &cMo, double reach) const
+{
+  const double depth = (cMo * m_sphere->model().centre()).z();
+  if (!(depth > 0.)) {
+    return false;
+  }
+  const vpSphereView &view = viewAt(cMo);
+  const double spacing = reach * static_cast<double>(m_camera.px) * m_sphere->model().diameter() / depth / places;
+  // A contour's place is known to about the distance of the places that were looked at.
+  return step(cMo, view, view.silhouettes(), spacing,
+              [this, spacing](const vpSeenPoint &point) { return findByColors(point, static_cast<float>(spacing)); });
+}
+
+bool vpContourAligner::stepByEdges(Eigen::Isometry3d &cMo) const
+{
+  if (!((cMo * m_sphere->model().centre()).z() > 0.)) {
+    return false;
+  }
+  const vpSphereView &view = viewAt(cMo);
+  return step(cMo, view, view.size(), edgeDeviation, [this](const vpSeenPoint &point) { return findByEdges(point); });
+}
+
+// \param points Of the view that take part. \param unit Deviation of a contour's place, pixels.
+template <typename Finder>
+bool vpContourAligner::step(Eigen::Isometry3d &cMo, const vpSphereView &view, std::size_t points, double unit,
+                            Finder &&find) const
 {
   const vpTrackedModel &model = m_sphere->model();
   const Eigen::Vector3d middle = model.centre();
   const Eigen::Vector3d centre = cMo * middle;
-  if (!(centre.z() > 0.)) {
-    return false;
-  }
-  const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -centre));
-  const float spacing = static_cast<float>(reach * m_camera.px * model.diameter() / centre.z() / places);
   vpPointProjection::Pose pose;
   Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(pose.data()) = cMo.matrix().topRows<3>().cast<float>();
   vpPointProjection projection(pose, m_camera);
   Equations equations;
-  projection.forEachSeen(view, view.silhouettes(),
-                         [&](const vpSeenPoint &point) { addPoint(point, centre.cast<float>(), spacing, equations); });
+  projection.forEachSeen(view, points, [&](const vpSeenPoint &point) {
+    if (point.length > 0.F) {
+      addContour(point, centre.cast<float>(), find(point), equations);
+    }
+  });
   if (equations.points < fewestPoints) {
     return false;
   }
-  // A contour's place is known to about the distance of the places that were looked at.
-  const Eigen::Matrix<double, 6, 1> moved = equations.solve(motion * model.diameter() / spacing, turn / spacing);
+  const Eigen::Matrix<double, 6, 1> moved = equations.solve(motion * model.diameter() / unit, turn / unit);
   const double angle = moved.tail<3>().norm();
   Eigen::Matrix3d rotation = cMo.linear();
   if (angle > 0.) {

@@ -5,6 +5,7 @@
 #include "search/vpPointProjection.h"
 
 #include <visp3/cues/vpColorOddsMap.h>
+#include <visp3/cues/vpOrientedDistanceMap.h>
 #include <visp3/model/vpViewSphere.h>
 
 #include <Eigen/Geometry>
@@ -12,35 +13,49 @@
 BEGIN_VISP_NAMESPACE
 
 /*
-  Moves a pose so that its silhouette separates the object's colours from the others, in some microseconds: one
-  Gauss-Newton step for each look at the image, with the silhouette of the nearest precomputed view.
+  Moves a pose to what the image shows near it, in some microseconds: one Gauss-Newton step for each look at the image,
+  with the contours of the nearest precomputed view.
 
-  Along the normal of each silhouette point, the logarithms of odds are summed up on both sides of every place that the
-  contour could be at; where the difference is largest, the contour is taken to be.
+  By colours: so that the silhouette separates those of the object from the others. Along the normal of each silhouette
+  point, the logarithms of odds are summed up on both sides of every place that the contour could be at; where the
+  difference is largest, the contour is taken to be.
+
+  By edges: so that all edges lie on edges of the image of their orientation, a distance map's slope telling on which
+  side those are.
 */
 class vpContourAligner
 {
 public:
   void setSphere(vpViewSphere *sphere) { m_sphere = sphere; }
-  void setImage(const vpColorOddsMap &colors, const vpCameraParameters &cam, unsigned int width, unsigned int height);
+  // Either map may be null, and the step that needs it is then not to be called.
+  void setImage(const vpColorOddsMap *colors, const vpOrientedDistanceMap *edges, const vpCameraParameters &cam,
+                unsigned int width, unsigned int height);
   // reach: how far from the silhouette is looked, in projected diameters. Returns false, and leaves the pose as it is,
   // where hardly anything is in view.
-  bool step(Eigen::Isometry3d &cMo, double reach) const;
+  bool stepByColors(Eigen::Isometry3d &cMo, double reach) const;
+  // The map's largest distance is what it reaches.
+  bool stepByEdges(Eigen::Isometry3d &cMo) const;
 
 private:
   // Where the contour is on the line across it.
   struct Contour
   {
-    float gain;   // How much better than none it explains the line, sum of log-odds.
+    float weight; // 0: there is none.
     float offset; // Pixels, outwards.
   };
   struct Equations;
 
-  Contour findContour(float u, float v, float du, float dv, float spacing) const;
-  void addPoint(const vpSeenPoint &point, const Eigen::Vector3f &centre, float spacing, Equations &equations) const;
+  Contour findByColors(const vpSeenPoint &point, float spacing) const;
+  Contour findByEdges(const vpSeenPoint &point) const;
+  void addContour(const vpSeenPoint &point, const Eigen::Vector3f &centre, const Contour &contour,
+                  Equations &equations) const;
+  template <typename Finder>
+  bool step(Eigen::Isometry3d &cMo, const vpSphereView &view, std::size_t points, double unit, Finder &&find) const;
+  const vpSphereView &viewAt(const Eigen::Isometry3d &cMo) const;
 
   vpViewSphere *m_sphere = nullptr;
   const vpColorOddsMap *m_colors = nullptr;
+  const vpOrientedDistanceMap *m_edges = nullptr;
   vpPointCamera m_camera;
 };
 

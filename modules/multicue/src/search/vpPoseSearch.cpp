@@ -75,11 +75,21 @@ double vpPoseSearch::scoreOf(const vpHomogeneousMatrix &cMo)
   return score - m_priorWeight * d * d;
 }
 
-void vpPoseSearch::align(const vpContourAligner &aligner, double reach, unsigned int steps)
+void vpPoseSearch::alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps)
+{
+  align(steps, [&aligner, reach](Eigen::Isometry3d &pose) { return aligner.stepByColors(pose, reach); });
+}
+
+void vpPoseSearch::alignByEdges(const vpContourAligner &aligner, unsigned int steps)
+{
+  align(steps, [&aligner](Eigen::Isometry3d &pose) { return aligner.stepByEdges(pose); });
+}
+
+template <typename Step> void vpPoseSearch::align(unsigned int steps, Step &&step)
 {
   for (vpPoseCandidate &candidate : m_candidates) {
     Eigen::Isometry3d pose = vpPoseExponential::toEigen(candidate.cMo);
-    for (unsigned int i = 0; i < steps && aligner.step(pose, reach); ++i) {
+    for (unsigned int i = 0; i < steps && step(pose); ++i) {
     }
     if (pose.matrix().allFinite()) {
       candidate.cMo = vpPoseExponential::fromEigen(pose);

@@ -63,7 +63,8 @@ public:
   void keepCopies() { m_copies = m_candidates; }
   void addCopies();
   // Lets all of them slide to where their silhouettes separate the colours, and scores them.
-  void align(const vpContourAligner &aligner, double reach, unsigned int steps);
+  void alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps);
+  void alignByEdges(const vpContourAligner &aligner, unsigned int steps);
   void score();
   // Keeps the best ones that are apart from each other, and draws around these with less and less noise.
   void anneal(Spread spread, std::size_t keep, std::size_t number, unsigned int layers);
@@ -75,6 +76,7 @@ public:
   void keepBest(std::size_t keep, const Spread &apart);
 
 private:
+  template <typename Step> void align(unsigned int steps, Step &&step);
   double scoreOf(const vpHomogeneousMatrix &cMo);
   vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, const Spread &spread);
   double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;

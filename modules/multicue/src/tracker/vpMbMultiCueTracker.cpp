@@ -209,7 +209,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     impl.particles.widen();
   } else if (impl.isTrusted()) {
     impl.particles.narrow();
-    learn();
+    learn(frame);
   }
   if (m_impl->throwOnLoss) {
     testTracking();
@@ -217,7 +217,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
 }
 
 // Only from poses that are trusted: what is learnt from a wrong one keeps it wrong.
-void vpMbMultiCueTracker::learn()
+void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.trusted = m_cMo;
@@ -225,6 +225,7 @@ void vpMbMultiCueTracker::learn()
   impl.learnResidue();
   if (impl.type != EDGE_TRACKER) {
     learnUsual();
+    learnKeyframe(frame);
   }
   learnSurprise();
   updateMotion();

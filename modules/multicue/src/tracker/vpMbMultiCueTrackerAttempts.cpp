@@ -6,22 +6,14 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// An edge or a point that is farther away than this does not support a pose, pixels.
-const double edgeReach = 2.5;
-const double pointReach = 2.;
 // Of what the trusted frames before had: from there on a pose is taken, and below this others are looked for all
 // around.
 const double wellExplained = 0.8;
 const double badlyExplained = 0.65;
-// One cue alone does not make a pose better than those before.
-const double mostOfOne = 1.2;
-// A surface of one colour tells no pose from another.
-const double leastTexture = 0.15;
 const double decisiveSurface = 0.7;
 const double contradictingSurface = 0.35;
 // Of a pose that is one deviation off the expected one; squared for those farther off.
@@ -33,48 +25,11 @@ const double farTurn = 0.4;     // Radians.
 // Of half a turn, or two diameters.
 const double changePenalty = 0.1;
 const double followedBonus = 0.05;
-const double steadyVariance = 0.15 * 0.15;
-// Slower down than up: a wrong pose explains less, and must not become the usual one.
-const double usualRiseRate = 0.1;
-const double usualFallRate = 0.02;
-const double unsteadinessRate = 0.05;
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
 // Turns of the object that are tried, radians.
 const double turn = 0.35;
-
-// 1 for a distance of 0, falling to 0 at the reach.
-double closeness(double distance, double reach)
-{
-  const double share = distance / reach;
-  return std::max(0., 1. - share * share);
-}
 } // namespace
-
-double vpMbMultiCueTracker::edgeAgreement() const
-{
-  const Impl &impl = *m_impl;
-  vpResidualBlock &block = m_impl->block;
-  impl.edges.residuals(m_cMo, block);
-  double sum = 0.;
-  for (const vpResidual &row : block.rows) {
-    sum += closeness(row.error, edgeReach / impl.frameCamera.get_px());
-  }
-  return impl.edges.matches().empty() ? 0. : sum / static_cast<double>(impl.edges.matches().size());
-}
-
-double vpMbMultiCueTracker::pointAgreement() const
-{
-  const Impl &impl = *m_impl;
-  vpResidualBlock &block = m_impl->block;
-  impl.points->residuals(m_cMo, block);
-  double sum = 0.;
-  for (std::size_t i = 0; i + 1 < block.rows.size(); i += 2) {
-    const double distance = std::hypot(block.rows[i].error, block.rows[i + 1].error);
-    sum += closeness(distance, pointReach / impl.frameCamera.get_px());
-  }
-  return impl.points->matches().empty() ? 0. : sum / static_cast<double>(impl.points->matches().size());
-}
 
 std::array<double, 2> vpMbMultiCueTracker::Impl::offExpected(const vpHomogeneousMatrix &cMo) const
 {
@@ -90,72 +45,6 @@ double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) con
   const double distance = off[0] / farDistance;
   const double angle = off[1] / farTurn;
   return std::min(distance * distance + angle * angle, mostFar);
-}
-
-double vpMbMultiCueTracker::Impl::shareOf(double value, double usual)
-{
-  return value / std::max(usual, leastUsual);
-}
-
-// How much a cue counts whose agreement with trusted poses has this variance, in shares of the usual one: 1 for one
-// that is steady. Colours that come and go with the light on the object say little.
-double vpMbMultiCueTracker::Impl::reliability(double variance)
-{
-  return steadyVariance / (steadyVariance + variance);
-}
-
-// How well the cues agree with the pose, each as a share of what it had in the trusted frames before. Points count only
-// where there is nothing else: those of what hides the object agree with a wrong pose.
-double vpMbMultiCueTracker::explainedShare()
-{
-  Impl &impl = *m_impl;
-  Agreement &agreement = impl.agreement;
-  double sum = 0.;
-  double cues = 0.;
-  const auto add = [&](double value, double usual, double weight) {
-    sum += weight * std::min(impl.shareOf(value, usual), mostOfOne);
-    cues += weight;
-  };
-  if (impl.uses(EDGE_TRACKER)) {
-    agreement.edges = edgeAgreement();
-    add(agreement.edges, impl.usual.edges, impl.reliability(impl.unsteadiness.edges));
-  }
-  if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
-    agreement.color = impl.color.evidenceAt(m_cMo);
-    add(agreement.color, impl.usual.color, impl.reliability(impl.unsteadiness.color));
-  }
-  const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
-  agreement.surface = surface.correlation;
-  agreement.surfaceKnown = surface.known;
-  agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
-  if (impl.usual.surface > 0.) {
-    add(std::max(surface.correlation, 0.), impl.usual.surface,
-        agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
-  }
-  if (impl.uses(KLT_TRACKER) && !(cues > 0.)) {
-    agreement.points = pointAgreement();
-    add(agreement.points, impl.usual.points, 1.);
-  }
-  return cues > 0. ? sum / cues : 0.;
-}
-
-void vpMbMultiCueTracker::learnUsual()
-{
-  Impl &impl = *m_impl;
-  const auto learn = [&impl](double value, double &usual, double &unsteadiness) {
-    if (usual > 0.) {
-      const double off = std::min(impl.shareOf(value, usual), mostOfOne) - 1.;
-      unsteadiness += unsteadinessRate * (off * off - unsteadiness);
-    }
-    const double rate = usual > 0. ? (value > usual ? usualRiseRate : usualFallRate) : 1.;
-    usual += rate * (value - usual);
-  };
-  learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);
-  learn(impl.agreement.color, impl.usual.color, impl.unsteadiness.color);
-  learn(impl.agreement.points, impl.usual.points, impl.unsteadiness.points);
-  if (impl.agreement.surfaceWeight > leastTexture) {
-    learn(impl.agreement.surface, impl.usual.surface, impl.unsteadiness.surface);
-  }
 }
 
 // Keeps the pose where it explains more than the best one before. \return True where that is enough.
@@ -179,6 +68,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
   if (impl.bestIsLast) {
     impl.bestValue = value;
     impl.bestExplained = share;
+    impl.bestShare = impl.share;
     impl.bestPose = m_cMo;
     impl.bestUsesPoints = impl.usesPoints;
   }
@@ -192,7 +82,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
 bool vpMbMultiCueTracker::isContradicted() const
 {
   const Impl &impl = *m_impl;
-  return impl.agreement.surfaceWeight > leastTexture &&
+  return impl.agreement.surfaceWeight > Impl::leastTexture &&
          impl.agreement.surface < contradictingSurface * impl.usual.surface;
 }
 
@@ -200,10 +90,11 @@ bool vpMbMultiCueTracker::isContradicted() const
 bool vpMbMultiCueTracker::isDecisive() const
 {
   const Impl &impl = *m_impl;
-  if (impl.surface.texture() < leastTexture) {
+  if (impl.surface.texture() < Impl::leastTexture) {
     return impl.confirmations > 0;
   }
-  return impl.agreement.surfaceWeight > leastTexture && impl.agreement.surface > decisiveSurface * impl.usual.surface;
+  return impl.agreement.surfaceWeight > Impl::leastTexture &&
+         impl.agreement.surface > decisiveSurface * impl.usual.surface;
 }
 
 // Starts elsewhere, where the image does not look as it should at the pose that was found.
@@ -212,6 +103,9 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.usesPoints = false;
   impl.edges.reset(); // A jump of the light changes all contrasts at once.
+  if (tryKeyframes(frame, true)) {
+    return;
+  }
   // Colours mislead where much of the object looks like what is behind it.
   m_cMo = impl.expectedPose;
   if (takeAttempt(refineFused(frame))) {
@@ -258,36 +152,42 @@ void vpMbMultiCueTracker::tryTurns(const vpCueFrame &frame)
   }
 }
 
+// After a loss the estimation may lead to another one of the poses that look alike than the nearest to the last.
+bool vpMbMultiCueTracker::takeNearestAlike(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  if (!impl.mustConfirm || impl.symmetries.get() == nullptr) {
+    return true;
+  }
+  const vpHomogeneousMatrix alike = impl.nearestAlike(m_cMo);
+  const double diameter = impl.model->diameter();
+  if (vpModelSymmetries::distance(alike, m_cMo, impl.model->centre(), 0.5 * diameter) < sameAlike * diameter) {
+    return true;
+  }
+  m_cMo = alike;
+  impl.startPose = alike;
+  const bool isFound = refineFused(frame);
+  explainedShare();
+  return isFound;
+}
+
 bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.attempted.clear();
   impl.bestExplained = -1.;
+  impl.mostAgreeing = 0;
   impl.bestValue = -2.;
   impl.surface.setFrame(frame);
-  // After a loss the estimation may lead to another one of the poses that look alike than the nearest to the last.
-  const auto takeNearestAlike = [&] {
-    if (!impl.mustConfirm || impl.symmetries.get() == nullptr) {
-      return true;
-    }
-    const vpHomogeneousMatrix alike = impl.nearestAlike(m_cMo);
-    const double diameter = impl.model->diameter();
-    if (vpModelSymmetries::distance(alike, m_cMo, impl.model->centre(), 0.5 * diameter) < sameAlike * diameter) {
-      return true;
-    }
-    m_cMo = alike;
-    impl.startPose = alike;
-    const bool isFound = refineFused(frame);
-    explainedShare();
-    return isFound;
-  };
   estimateCoarse(frame);
   if (takeAttempt(refineFused(frame))) {
-    return takeNearestAlike();
+    return takeNearestAlike(frame);
   }
   if (impl.mustConfirm) {
     impl.usesPoints = false;
-    searchEverywhere(frame);
+    if (!tryKeyframes(frame, false)) {
+      searchEverywhere(frame);
+    }
   } else {
     tryOthers(frame);
   }
@@ -302,7 +202,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
     }
     explainedShare();
   }
-  return takeNearestAlike();
+  return takeNearestAlike(frame);
 }
 
 END_VISP_NAMESPACE

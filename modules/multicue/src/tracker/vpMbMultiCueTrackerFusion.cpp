@@ -224,6 +224,9 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
   trusted = 1.;
   impl.fusion.keepWeights(trusted);
   updateReferences();
+  learnKeyframe(frame);
+  impl.keyframeIsProvisional = true;
+  learnUsualOfStart(frame);
 }
 
 void vpMbMultiCueTracker::setColorSettings(const vpColorCueSettings &settings)

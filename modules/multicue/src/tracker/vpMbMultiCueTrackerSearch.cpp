@@ -12,7 +12,9 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 const std::size_t nearNumber = 80;
-const std::size_t modeNumber = 10; // Around each mode of the particles.
+const std::size_t scoredNumber = 400; // Where colours do not help, from the near spread and from a wider one each.
+const double widerFactor = 1.6;
+const std::size_t modeNumber = 10;    // Around each mode of the particles.
 const std::size_t keptParents = 24;
 const std::size_t children = 200;
 const unsigned int layers = 3;
@@ -29,14 +31,15 @@ const double mostShift = 1.5;       // Beyond it, shifts are equally unlikely.
 const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
 } // namespace
 
-// One more start. \return True where the pose that it leads to is enough.
-bool vpMbMultiCueTracker::attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+// One more start. \param byColors Their coarse levels come first, which reach far. \return True where the pose that it
+// leads to is enough.
+bool vpMbMultiCueTracker::attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool byColors)
 {
   Impl &impl = *m_impl;
   m_cMo = impl.nearestAlike(cMo);
   impl.startPose = m_cMo;
   updateView(frame, m_cMo, 0.);
-  if (impl.uses(COLOR_TRACKER)) {
+  if (byColors && impl.uses(COLOR_TRACKER)) {
     estimateByCoarseColors(frame);
   }
   return takeAttempt(refineFused(frame));
@@ -55,12 +58,27 @@ void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
     search.scatter({mode.cMo}, vpPoseSearch::same(), modeNumber);
   }
   impl.settle(search);
-  search.keepBest(mostAttempts, vpPoseSearch::same());
-  for (const vpPoseCandidate &candidate : search.candidates()) {
-    if (attemptFrom(frame, candidate.cMo)) {
-      break;
-    }
+  if (attemptBest(frame, search)) {
+    return;
   }
+  // Colours led away from the object, or there are none.
+  vpPoseSearch again(impl.poseScore, *impl.model, impl.draws++);
+  again.setSymmetries(impl.symmetries.get());
+  const vpPoseSearch::Spread wider = vpPoseSearch::near().grown(widerFactor);
+  again.setPrior(impl.expectedPose, wider, vpPoseSearch::usualPrior);
+  again.scatter({impl.expectedPose}, vpPoseSearch::near(), scoredNumber);
+  again.scatter({impl.expectedPose}, wider, scoredNumber);
+  impl.settleByScore(again);
+  attemptBest(frame, again, false);
+}
+
+// The best poses of a search, estimated with all cues. \return True where one of them is enough.
+bool vpMbMultiCueTracker::attemptBest(const vpCueFrame &frame, vpPoseSearch &search, bool byColors)
+{
+  search.keepBest(mostAttempts, vpPoseSearch::same());
+  const std::vector<vpPoseCandidate> &best = search.candidates();
+  return std::any_of(best.begin(), best.end(),
+                     [&](const vpPoseCandidate &candidate) { return attemptFrom(frame, candidate.cMo, byColors); });
 }
 
 // All around and in all of the image; the best poses of the frames before are among the starts.
@@ -81,11 +99,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   impl.settle(search);
   search.keepBest(mostAttempts, vpPoseSearch::same());
   impl.searched = search.candidates();
-  for (const vpPoseCandidate &candidate : impl.searched) {
-    if (attemptFrom(frame, candidate.cMo)) {
-      break;
-    }
-  }
+  attemptBest(frame, search);
 }
 
 // Of half a turn, and of two diameters.
@@ -114,12 +128,28 @@ void vpMbMultiCueTracker::Impl::settle(vpPoseSearch &search)
     if (reliability(unsteadiness.color) < leastReliability) {
       search.keepCopies(); // Colours may lead away from the object.
     }
-    search.align(aligner, 0.15, 2);
-    search.align(aligner, 0.08, 1);
+    search.alignByColors(aligner, 0.15, 2);
+    search.alignByColors(aligner, 0.08, 1);
     search.addCopies();
     search.score();
     search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
-    search.align(aligner, 0.05, 2);
+    search.alignByColors(aligner, 0.05, 2);
+    search.score();
+    search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
+  } else {
+    settleByScore(search);
+  }
+}
+
+void vpMbMultiCueTracker::Impl::settleByScore(vpPoseSearch &search) const
+{
+  if (uses(EDGE_TRACKER)) {
+    search.keepCopies(); // Where edges are many, the nearest ones may lead away from the object's.
+    search.alignByEdges(aligner, 3);
+    search.addCopies();
+    search.score();
+    search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
+    search.alignByEdges(aligner, 2);
     search.score();
     search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
   } else {

@@ -12,8 +12,12 @@ namespace {
 const unsigned int neededConfirmations = 3;
 const unsigned int usualConfirmations = 6;
 const unsigned int doubtfulConfirmations = 15; // Where the surface looks like that of another pose.
-const double confirming = 0.75;                // Share of what is usually explained.
-const double insideToConfirm = 0.4;            // Share of the outline that is in the image.
+// An object that left the image for so many frames on end may come back anywhere; one that the image does not explain
+// is followed for longer, since light and what is in front of it change more often than it jumps.
+const unsigned int mostOutside = 3;
+const unsigned int mostDoubtful = 30;
+const double confirming = 0.75;     // Share of what is usually explained.
+const double insideToConfirm = 0.4; // Share of the outline that is in the image.
 const double leastInside = 0.3;
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
@@ -91,14 +95,18 @@ void vpMbMultiCueTracker::confirmState()
     impl.mustConfirm = true;
     return;
   }
-  const double inside = impl.state == vpTrackingState::TRACKING ? impl.insideShare(m_cMo) : 0.;
+  const double inside = impl.insideShare(m_cMo);
+  const bool isExplained = impl.state == vpTrackingState::TRACKING;
+  impl.outsideFrames = inside < leastInside ? impl.outsideFrames + 1 : 0;
+  impl.doubtfulFrames = isExplained ? 0 : impl.doubtfulFrames + 1;
+  impl.mustConfirm = impl.mustConfirm || impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubtful;
   if (inside < leastInside) {
     impl.state = vpTrackingState::UNCERTAIN;
   }
   if (!impl.mustConfirm) {
     return;
   }
-  if (inside < insideToConfirm || impl.bestExplained < confirming) {
+  if (!isExplained || inside < insideToConfirm || impl.bestExplained < confirming) {
     impl.state = vpTrackingState::UNCERTAIN;
     ++impl.lostFrames;
     impl.confirmations = 0;

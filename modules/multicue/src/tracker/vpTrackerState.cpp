@@ -66,6 +66,7 @@ void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
   displayView.reset();
   depthRenderer.reset();
   sphere.reset();
+  keyframes.setObject(model->centre(), model->diameter());
   surface.setSamples(vpSampleSurface(*model, surfacePlaces));
   makeRenderer();
   forgetImages();
@@ -176,8 +177,8 @@ void vpMbMultiCueTracker::Impl::scoreRegion(const vpCueFrame &frame, const vpIma
   const bool hasColors = uses(COLOR_TRACKER) && color.histograms().isKnown();
   if (hasColors) {
     oddsMap.compute(frame, color.histograms(), region);
-    aligner.setImage(oddsMap, frame.camera(), frame.width(), frame.height());
   }
+  aligner.setImage(hasColors ? &oddsMap : nullptr, &distanceMap, frame.camera(), frame.width(), frame.height());
   if (type != EDGE_TRACKER) {
     surface.setFrame(frame);
   }
@@ -190,10 +191,14 @@ void vpMbMultiCueTracker::Impl::scoreRegion(const vpCueFrame &frame, const vpIma
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
   surface.reset();
+  keyframes.reset();
+  keyframeIsProvisional = false;
   searched.clear();
   lostFrames = 0;
   confirmations = 0;
   mustConfirm = false;
+  outsideFrames = 0;
+  doubtfulFrames = 0;
   scoredFrame = 0;
   particles.clear();
   edges = vpEdgeCue(edges.settings());

@@ -12,6 +12,7 @@
 
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
+#include <visp3/cues/vpKeyframes.h>
 #include <visp3/cues/vpPointCue.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 #include <visp3/se3/vpPoseKalmanFilter.h>
@@ -60,13 +61,25 @@ public:
   //! How far a pose is off the expected one: distance of the object's middle in diameters, and angle in radians.
   std::array<double, 2> offExpected(const vpHomogeneousMatrix &cMo) const;
   double surpriseAt(const vpHomogeneousMatrix &cMo) const;
-  static double shareOf(double value, double usual);
+  //! What the cues say of a pose.
+  struct Share
+  {
+    double sum = 0.;
+    double cues = 0.; // Their weights.
+  };
+  //! With what the keyframes say of the pose.
+  double explainedBy(const Share &cues, const vpHomogeneousMatrix &cMo) const;
+  //! A cue's agreement as a share of the usual one, as far as it counts.
+  static double countedShare(double value, double usual);
   static double reliability(double variance);
   //! Share of the object's outline at a pose that is in the image.
   double insideShare(const vpHomogeneousMatrix &cMo);
   //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
   double changeSince(const vpHomogeneousMatrix &cMo) const;
+  //! Where the object is looked for that is expected at a pose.
+  vpImageRegion regionAround(const vpHomogeneousMatrix &cMo) const;
   void settle(vpPoseSearch &search);
+  void settleByScore(vpPoseSearch &search) const;
   void scatterOverBlobs(const vpCueFrame &frame, vpPoseSearch &search, double rotation, std::size_t number);
   //! Forgets what was learnt from images.
   void forgetImages();
@@ -187,6 +200,9 @@ public:
   vpOrientedDistanceMap distanceMap;
   vpColorOddsMap oddsMap;
   vpSurfaceMemory surface;
+  vpKeyframes keyframes;
+  unsigned int mostAgreeing = 0;      // Features of keyframes with one pose, in this frame.
+  bool keyframeIsProvisional = false; // Of the start, whose pose may be a little off.
   vpPoseScore poseScore;
   vpBlobFinder blobs;
   vpContourAligner aligner;
@@ -194,7 +210,9 @@ public:
   std::vector<vpPoseCandidate> searched; // The best ones of the frames before, while the object is lost.
   unsigned int lostFrames = 0;           // On end.
   bool mustConfirm = false;
-  unsigned int confirmations = 0; // Frames that explained a pose on end since the object was lost.
+  unsigned int outsideFrames = 0;  // On end.
+  unsigned int doubtfulFrames = 0; // The same, with a pose that is not explained.
+  unsigned int confirmations = 0;  // Frames that explained a pose on end since the object was lost.
 
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
@@ -204,12 +222,16 @@ public:
   Agreement agreement;    // At the pose that was judged last.
   Agreement usual;        // Mean over the trusted frames.
   Agreement unsteadiness; // Variance of its share of the usual one over the trusted frames.
+  Share share;            // At the pose that was judged last.
+  Share bestShare;        // At the best one of the frame.
   double bestExplained = 0.;
   std::vector<vpHomogeneousMatrix> attempted; // Poses that attempts of this frame led to.
   double bestValue = 0.;                      // What attempts are compared by.
   static constexpr double longestCoast = 0.5; // Seconds.
-  static constexpr double leastUsual = 0.4;   // What a right pose has at least, whatever the frames before had.
-  vpHomogeneousMatrix bestPose;               // Of the attempts in this frame.
+  static constexpr double leastTexture =
+      0.15;                                 // A surface of one colour tells no pose from another, and has no corners.
+  static constexpr double leastUsual = 0.4; // What a right pose has at least, whatever the frames before had.
+  vpHomogeneousMatrix bestPose;             // Of the attempts in this frame.
   bool bestIsLast = false;
   bool bestUsesPoints = false;
   vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.

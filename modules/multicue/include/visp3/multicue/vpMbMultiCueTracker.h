@@ -18,6 +18,8 @@
 
 BEGIN_VISP_NAMESPACE
 
+class vpPoseSearch;
+
 /*!
   \ingroup group_multicue
   Follows the pose of a known rigid object in a camera's images: takes the place of vpMbGenericTracker with one camera.
@@ -328,12 +330,14 @@ private:
   double pointAgreement() const;
   double explainedShare();
   void learnUsual();
+  void learnUsualOfStart(const vpCueFrame &frame);
   bool takeAttempt(bool estimated);
   void tryOthers(const vpCueFrame &frame);
   void tryTurns(const vpCueFrame &frame);
   bool isDecisive() const;
   bool isContradicted() const;
-  bool attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  bool attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool byColors = true);
+  bool attemptBest(const vpCueFrame &frame, vpPoseSearch &search, bool byColors = true);
   void searchNear(const vpCueFrame &frame);
   void searchEverywhere(const vpCueFrame &frame);
   void confirm();
@@ -344,6 +348,7 @@ private:
   void learnSurprise();
   void learnStart(const vpCueFrame &frame);
   bool estimateFused(const vpCueFrame &frame);
+  bool takeNearestAlike(const vpCueFrame &frame);
   void estimateCoarse(const vpCueFrame &frame);
   bool minimise(const std::vector<int> &cues);
   bool pointsAgree() const;
@@ -382,7 +387,9 @@ private:
   bool refineHypothesis(const vpCueFrame &frame, std::size_t index, unsigned int most);
   bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
-  void learn();
+  void learn(const vpCueFrame &frame);
+  void learnKeyframe(const vpCueFrame &frame);
+  bool tryKeyframes(const vpCueFrame &frame, bool isNear);
   const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);
   vpMultiCueSettings currentSettings() const;

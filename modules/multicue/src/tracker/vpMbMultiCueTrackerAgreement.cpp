@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpTrackerState.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// An edge or a point that is farther away than this does not support a pose, pixels.
+const double edgeReach = 2.5;
+const double pointReach = 2.;
+// One cue alone does not make a pose better than those before, nor refuse it.
+const double mostOfOne = 1.2;
+const double leastOfOne = -0.5;
+const double shareOfStart = 0.8;
+const double usualOfSurface = 0.6; // Of one that was seen once.
+const double steadyVariance = 0.15 * 0.15;
+const double leastReliability = 0.2; // Of a cue whose agreement comes and goes.
+// Slower down than up: a wrong pose explains less, and must not become the usual one.
+const double usualRiseRate = 0.1;
+const double usualFallRate = 0.02;
+const double unsteadinessRate = 0.05;
+
+// 1 for a distance of 0, falling to 0 at the reach.
+double closeness(double distance, double reach)
+{
+  const double share = distance / reach;
+  return std::max(0., 1. - share * share);
+}
+} // namespace
+
+double vpMbMultiCueTracker::edgeAgreement() const
+{
+  const Impl &impl = *m_impl;
+  vpResidualBlock &block = m_impl->block;
+  impl.edges.residuals(m_cMo, block);
+  double sum = 0.;
+  for (const vpResidual &row : block.rows) {
+    sum += closeness(row.error, edgeReach / impl.frameCamera.get_px());
+  }
+  return impl.edges.matches().empty() ? 0. : sum / static_cast<double>(impl.edges.matches().size());
+}
+
+double vpMbMultiCueTracker::pointAgreement() const
+{
+  const Impl &impl = *m_impl;
+  vpResidualBlock &block = m_impl->block;
+  impl.points->residuals(m_cMo, block);
+  double sum = 0.;
+  for (std::size_t i = 0; i + 1 < block.rows.size(); i += 2) {
+    const double distance = std::hypot(block.rows[i].error, block.rows[i + 1].error);
+    sum += closeness(distance, pointReach / impl.frameCamera.get_px());
+  }
+  return impl.points->matches().empty() ? 0. : sum / static_cast<double>(impl.points->matches().size());
+}
+
+double vpMbMultiCueTracker::Impl::countedShare(double value, double usual)
+{
+  return std::min(std::max(value / std::max(usual, leastUsual), leastOfOne), mostOfOne);
+}
+
+// How much a cue counts whose agreement with trusted poses has this variance, in shares of the usual one: 1 for one
+// that is steady. Colours that come and go with the light on the object say little.
+double vpMbMultiCueTracker::Impl::reliability(double variance)
+{
+  return std::max(steadyVariance / (steadyVariance + variance), leastReliability);
+}
+
+// How well the cues agree with the pose, each as a share of what it had in the trusted frames before. Points count only
+// where there is nothing else: those of what hides the object agree with a wrong pose.
+double vpMbMultiCueTracker::explainedShare()
+{
+  Impl &impl = *m_impl;
+  Agreement &agreement = impl.agreement;
+  double sum = 0.;
+  double cues = 0.;
+  const auto add = [&](double value, double usual, double weight) {
+    sum += weight * impl.countedShare(value, usual);
+    cues += weight;
+  };
+  if (impl.uses(EDGE_TRACKER)) {
+    agreement.edges = edgeAgreement();
+    add(agreement.edges, impl.usual.edges, impl.reliability(impl.unsteadiness.edges));
+  }
+  if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
+    agreement.color = impl.color.evidenceAt(m_cMo);
+    add(agreement.color, impl.usual.color, impl.reliability(impl.unsteadiness.color));
+  }
+  const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
+  agreement.surface = surface.correlation;
+  agreement.surfaceKnown = surface.known;
+  agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
+  if (impl.usual.surface > 0.) {
+    add(std::max(surface.correlation, 0.), impl.usual.surface,
+        agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
+  }
+  if (impl.uses(KLT_TRACKER) && !(cues > 0.)) {
+    agreement.points = pointAgreement();
+    add(agreement.points, impl.usual.points, 1.);
+  }
+  impl.share = {sum, cues};
+  return impl.explainedBy(impl.share, m_cMo);
+}
+
+// What the start shows of itself is more than other images show of the object.
+void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  if (impl.uses(EDGE_TRACKER)) {
+    impl.edges.match(frame, *impl.view);
+    impl.usual.edges = shareOfStart * edgeAgreement();
+  }
+  if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
+    impl.usual.color = shareOfStart * impl.color.evidenceAt(m_cMo);
+  }
+  if (impl.surface.texture() > Impl::leastTexture) {
+    impl.usual.surface = usualOfSurface;
+    impl.unsteadiness.surface = steadyVariance; // It may look different in the next image.
+  }
+}
+
+void vpMbMultiCueTracker::learnUsual()
+{
+  Impl &impl = *m_impl;
+  const auto learn = [&impl](double value, double &usual, double &unsteadiness) {
+    if (usual > 0.) {
+      const double off = impl.countedShare(value, usual) - 1.;
+      unsteadiness += unsteadinessRate * (off * off - unsteadiness);
+    }
+    const double rate = usual > 0. ? (value > usual ? usualRiseRate : usualFallRate) : 1.;
+    usual += rate * (value - usual);
+  };
+  learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);
+  learn(impl.agreement.color, impl.usual.color, impl.unsteadiness.color);
+  learn(impl.agreement.points, impl.usual.points, impl.unsteadiness.points);
+  if (impl.agreement.surfaceWeight > Impl::leastTexture) {
+    learn(impl.agreement.surface, impl.usual.surface, impl.unsteadiness.surface);
+  }
+}
+
+END_VISP_NAMESPACE
