@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 BEGIN_VISP_NAMESPACE
@@ -47,12 +48,18 @@ public:
   // Of a pose that is one spread off, for setPrior().
   static constexpr double usualPrior = 0.02;
 
+  // The larger, the likelier.
+  using Score = std::function<double(const vpHomogeneousMatrix &cMo)>;
+
   vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed);
+  vpPoseSearch(const Score &score, const vpTrackedModel &model, std::uint64_t seed);
 
   // Poses of the first layer, without a score; the starts are among them.
   void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
   // Poses near to a start are likelier than those far from it; before the first score().
   void setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight);
+  // Likewise with several poses; the nearest one counts.
+  void setPrior(const std::vector<vpHomogeneousMatrix> &poses, const Spread &spread, double weight);
   // Orientations all around, at a point of the line of sight through a pixel; see spread for depth and translation.
   void scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
                      std::size_t number);
@@ -76,7 +83,7 @@ private:
   vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, const Spread &spread);
   double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
 
-  const vpPoseScore &m_score;
+  Score m_score;
   Eigen::Vector3d m_centre;
   double m_diameter;
   std::uint64_t m_seed;
@@ -84,7 +91,7 @@ private:
   std::size_t m_scored = 0;
   std::vector<vpPoseCandidate> m_candidates;
   std::vector<vpPoseCandidate> m_copies;
-  vpHomogeneousMatrix m_priorPose;
+  std::vector<vpHomogeneousMatrix> m_priorPoses;
   Spread m_priorSpread;
   double m_priorWeight = 0.;
 };

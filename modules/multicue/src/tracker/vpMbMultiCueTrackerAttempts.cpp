@@ -260,13 +260,14 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.bestValue = -2.;
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
-  if (takeAttempt(refineFused(frame))) {
-    return true;
+  bool isEnough = takeAttempt(refineFused(frame));
+  if (impl.rough.hasHint) {
+    isEnough = tryHint(frame) || isEnough;
   }
-  if (impl.mustConfirm) {
+  if (!isEnough && impl.mustConfirm) {
     impl.usesPoints = false;
     searchEverywhere(frame);
-  } else {
+  } else if (!isEnough) {
     tryOthers(frame);
   }
   if (impl.bestExplained < 0.) {

@@ -66,6 +66,9 @@ void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
 void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
+  if (searchDetected(frame)) {
+    return;
+  }
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
   const double growth = 1. + spreadPerFrame * impl.lostFrames;

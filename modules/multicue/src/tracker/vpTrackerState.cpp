@@ -65,6 +65,7 @@ void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
   displayView.reset();
   depthRenderer.reset();
   sphere.reset();
+  rough.search.setModel(model);
   surface.setSamples(vpSampleSurface(*model, surfacePlaces));
   makeRenderer();
   forgetImages();

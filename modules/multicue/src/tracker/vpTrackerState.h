@@ -7,6 +7,7 @@
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpPoseUncertainty.h"
+#include "tracker/vpRoughStart.h"
 #include "tracker/vpTextureSupport.h"
 
 #include <visp3/cues/vpColorCue.h>
@@ -182,6 +183,8 @@ public:
   unsigned int lostFrames = 0;           // On end.
   bool mustConfirm = false;
   unsigned int confirmations = 0; // Frames that explained a pose on end since the object was lost.
+
+  vpRoughStart rough;
 
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;
