@@ -12,7 +12,7 @@ namespace {
 const double usualDeviation = 0.05;
 // Deviations, where the model's colours are known, and where edges alone are compared.
 const double leastAdvantage = 2.;
-const double leastEdgeAdvantage = 1.5;
+const double leastEdgeAdvantage = 1.1;
 // Correlation with the model's colours: an object of the same shape and other colours has about 0.
 const double leastModelColors = 0.08;
 const double leastEdges = 0.57;
@@ -30,7 +30,7 @@ void vpStartEvidence::add(const vpStartSearch::Value &value, const std::vector<v
                           const Support &support, double trust)
 {
   ++m_frames;
-  m_total += value.total;
+  m_total += value.seen;
   m_modelColors += value.colors;
   m_trust = trust;
   m_support.edges += support.edges;
@@ -39,8 +39,8 @@ void vpStartEvidence::add(const vpStartSearch::Value &value, const std::vector<v
   m_support.hasColors = support.hasColors;
   for (const vpStartSearch::Value &other : clutter) {
     ++m_places;
-    m_clutter += other.total;
-    m_clutterSquares += other.total * other.total;
+    m_clutter += other.seen;
+    m_clutterSquares += other.seen * other.seen;
   }
 }
 

@@ -61,7 +61,8 @@ vpStartSearch::Value vpStartSearch::operator()(const vpHomogeneousMatrix &cMo) c
   value.edges = 1. - seen.distance;
   const double trust = this->trust();
   value.colors = trust > 0. ? m_colors.agreement(cMo) : 0.;
-  value.total = (value.edges + trust * value.colors) / (1. + trust) - outsideCost * (1. - seen.inside);
+  value.seen = (value.edges + trust * value.colors) / (1. + trust);
+  value.total = value.seen - outsideCost * (1. - seen.inside);
   return value;
 }
 

@@ -23,7 +23,8 @@ public:
     double edges = 0.;  // 1 where the model's edges are, 0 where no edge is.
     double colors = 0.; // Correlation with the model's colours, about 0 by chance.
     double inside = 0.; // Share of the outline in the image.
-    double total = -1.;
+    double seen = 0.;   // Mean of both, as far as the model's colours tell poses apart.
+    double total = -1.; // The same, less what is outside the image.
   };
   void setModel(std::shared_ptr<const vpTrackedModel> model) { m_colors.setModel(std::move(model)); }
   void setFrame(const vpCueFrame &frame, vpViewSphere &sphere, vpModelRenderer::Preference preference, bool usesColors);

@@ -22,7 +22,7 @@ const double leastGain = 1e-3;
 const double foundWeight = 0.5;
 const double colorWeight = 0.5;
 // Of what is needed in the end, for a first look.
-const double firstShare = 0.7;
+const double firstShare = 0.8;
 const unsigned int placesAtStart = 12;
 const unsigned int placesAfter = 6;
 const unsigned int framesToConfirm = 3;
@@ -34,6 +34,18 @@ const vpHomogeneousMatrix &heaviest(const std::vector<vpWeightedPose> &poses)
   return std::max_element(poses.begin(), poses.end(),
                           [](const vpWeightedPose &a, const vpWeightedPose &b) { return a.weight < b.weight; })
       ->cMo;
+}
+
+// All poses of one source count as much as those of another.
+void append(const std::vector<vpWeightedPose> &poses, std::vector<vpWeightedPose> &all)
+{
+  double total = 0.;
+  for (const vpWeightedPose &pose : poses) {
+    total += pose.weight;
+  }
+  for (const vpWeightedPose &pose : poses) {
+    all.push_back({pose.cMo, pose.weight / total});
+  }
 }
 } // namespace
 
