@@ -97,7 +97,7 @@ void vpModelColors::setModel(std::shared_ptr<const vpTrackedModel> model)
   m_model = std::move(model);
   m_places.clear();
   m_isLearnt = false;
-  m_trust = 0.;
+  m_trusts.fill(0.);
   if (!m_model || (m_model->appearance().color.empty() && m_model->appearance().images.empty())) {
     return;
   }
@@ -136,7 +136,10 @@ void vpModelColors::learn(vpViewSphere &sphere, vpModelRenderer &renderer)
   m_places.erase(
       std::remove_if(m_places.begin(), m_places.end(), [](const Place &place) { return !(place.weight > 0.F); }),
       m_places.end());
-  summarise();
+  for (const bool hasColor : {false, true}) {
+    const double trust = std::min(1., deviation(hasColor) / fullDeviation);
+    m_trusts[hasColor ? 1 : 0] = trust < leastTrust ? 0. : trust;
+  }
 }
 
 void vpModelColors::learnFrom(const vpRenderedView &view, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
@@ -162,16 +165,19 @@ void vpModelColors::learnFrom(const vpRenderedView &view, const vpHomogeneousMat
   }
 }
 
-void vpModelColors::summarise()
+// Of the shades about their means, gray levels.
+double vpModelColors::deviation(bool hasColor) const
 {
   Sums sums;
   for (const Place &place : m_places) {
-    sums.add(place.shade, place.shade, place.group);
+    Shade shade = place.shade;
+    if (!hasColor) {
+      shade[1] = shade[2] = 0.F;
+    }
+    sums.add(shade, shade, place.group);
   }
   sums.centre();
-  const double deviation = sums.count > 0.F ? std::sqrt(static_cast<double>(std::max(sums.xx, 0.F) / sums.count)) : 0.;
-  m_trust = std::min(1., deviation / fullDeviation);
-  m_trust = m_trust < leastTrust ? 0. : m_trust;
+  return sums.count > 0.F ? std::sqrt(static_cast<double>(std::max(sums.xx, 0.F) / sums.count)) : 0.;
 }
 
 // Mean over 2 x 2 pixels.

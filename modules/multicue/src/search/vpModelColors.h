@@ -30,10 +30,8 @@ public:
   void setModel(std::shared_ptr<const vpTrackedModel> model);
   // The image that is looked at; has to live as long as agreement() is asked for.
   void setFrame(const vpCueFrame &frame, vpViewSphere &sphere, vpModelRenderer::Preference preference);
-  // Of no model, no colours, or one colour: there is nothing to compare.
-  bool tellsPoses() const { return m_trust > 0.; }
-  // [0, 1].
-  double trust() const { return m_trust; }
+  // How much it tells, [0, 1]: 0 for a model without colours, or of one colour.
+  double trust() const { return m_trusts[m_color != nullptr ? 1 : 0]; }
   // [-1, 1], about 0 by chance.
   double agreement(const vpHomogeneousMatrix &cMo) const;
 
@@ -55,13 +53,13 @@ private:
 
   void learn(vpViewSphere &sphere, vpModelRenderer &renderer);
   void learnFrom(const vpRenderedView &view, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam);
-  void summarise();
+  double deviation(bool hasColor) const;
   Shade shadeAt(int u, int v) const;
 
   std::shared_ptr<const vpTrackedModel> m_model;
   std::vector<Place> m_places;
   bool m_isLearnt = false;
-  double m_trust = 0.;
+  std::array<double, 2> m_trusts = {{0., 0.}}; // With gray images, and with coloured ones.
   const vpImage<unsigned char> *m_gray = nullptr;
   const vpImage<vpRGBa> *m_color = nullptr;
   vpCameraParameters m_camera;

@@ -16,6 +16,9 @@ const double leastEdgeAdvantage = 1.1;
 // Correlation with the model's colours: an object of the same shape and other colours has about 0.
 const double leastModelColors = 0.08;
 const double leastEdges = 0.57;
+// The fewer of the edges are found below this share, the more of an advantage is needed.
+const double usualEdges = 0.69;
+const double perMissingEdges = 6.;
 const double leastColors = 0.3;
 
 std::string number(double value)
@@ -57,7 +60,8 @@ double vpStartEvidence::advantage() const
 
 double vpStartEvidence::neededAdvantage() const
 {
-  return leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage);
+  const double missing = m_support.hasEdges ? std::max(0., usualEdges - mean(m_support.edges)) : 0.;
+  return leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage) + perMissingEdges * missing;
 }
 
 bool vpStartEvidence::isEnough(double strict) const
