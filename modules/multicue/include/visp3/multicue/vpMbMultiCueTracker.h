@@ -230,7 +230,7 @@ public:
     with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
     confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
     takes ten to thirty times as long as others, 50 to 120 ms with 320 x 240 pixels on one core of a shared server. Off
-    by default; of no effect with edges alone.
+    by default; with edges alone, only starts that were refused and poses of a detector are looked for.
     \param flag On or off; may change between frames, and init() begins anew.
   */
   void setSearch(bool flag);
