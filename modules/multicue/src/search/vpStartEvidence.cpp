@@ -11,7 +11,9 @@ namespace {
 // Of the best poses elsewhere; a dozen of them do not tell their deviation well, so the usual one counts as much.
 const double usualDeviation = 0.05;
 // Deviations, where the model's colours are known, and where edges alone are compared.
-const double leastAdvantage = 2.;
+const double leastAdvantage = 2.4;
+const double perTry = 0.3;
+const unsigned int mostTries = 6;
 const double leastEdgeAdvantage = 1.1;
 // Correlation with the model's colours: an object of the same shape and other colours has about 0.
 const double leastModelColors = 0.08;
@@ -61,7 +63,8 @@ double vpStartEvidence::advantage() const
 double vpStartEvidence::neededAdvantage() const
 {
   const double missing = m_support.hasEdges ? std::max(0., usualEdges - mean(m_support.edges)) : 0.;
-  return leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage) + perMissingEdges * missing;
+  const double again = perTry * (std::min(std::max(m_tries, 1U), mostTries) - 1U);
+  return leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage + again) + perMissingEdges * missing;
 }
 
 bool vpStartEvidence::isEnough(double strict) const

@@ -25,6 +25,8 @@ public:
   };
 
   void clear() { *this = vpStartEvidence(); }
+  // In how many images the object was looked for: the more often, the likelier one of them deceives.
+  void setTries(unsigned int tries) { m_tries = tries; }
   // Of one more image. trust: of the model's colours, see vpStartSearch.
   void add(const vpStartSearch::Value &value, const std::vector<vpStartSearch::Value> &clutter, const Support &support,
            double trust);
@@ -40,6 +42,7 @@ private:
   double mean(double sum) const { return m_frames > 0 ? sum / static_cast<double>(m_frames) : 0.; }
   double neededAdvantage() const;
 
+  unsigned int m_tries = 1;
   std::size_t m_frames = 0;
   double m_total = 0.;
   double m_modelColors = 0.;

@@ -202,6 +202,7 @@ bool vpMbMultiCueTracker::takeStart(const vpCueFrame &frame)
     m_cMo = cMo;
   }
   rough.evidence.clear();
+  rough.evidence.setTries(rough.tries);
   addEvidence(frame, placesAtStart);
   const std::string missing = rough.evidence.text(firstShare);
   rough.phase = missing.empty() ? vpRoughStart::UNCONFIRMED : vpRoughStart::REFUSED;
@@ -223,7 +224,8 @@ void vpMbMultiCueTracker::addEvidence(const vpCueFrame &frame, unsigned int plac
   support.hasColors = m_impl->uses(COLOR_TRACKER) && !m_impl->color.settings().scales.empty();
   support.colors = support.hasColors ? m_impl->color.evidenceAt(m_cMo) : 0.;
   const std::uint64_t seed = rough.tries + (static_cast<std::uint64_t>(rough.evidence.frames()) << 32U);
-  rough.evidence.add(rough.search(m_cMo), rough.search.clutter(m_cMo, rough.spread, seed, places), support,
+  const vpPoseSearch::Spread spread = rough.spread.grown(1. + spreadPerFrame * (rough.tries - 1U));
+  rough.evidence.add(rough.search(m_cMo), rough.search.clutter(m_cMo, spread, seed, places), support,
                      rough.search.trust());
 }
 
