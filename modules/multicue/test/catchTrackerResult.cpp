@@ -142,6 +142,8 @@ TEST_CASE("A result tells why an image without the object is not believed", "[tr
       INFO("type " << type << (predicts ? ", predicting" : ""));
       const vpMbTrackingResult result = tracker.getTrackingResult();
       checkAgainstGetters(tracker, result);
+      INFO(result.text << " score " << result.score << " explained by colours "
+                       << (result.cues.empty() ? 0. : result.cues[0].agreement));
       REQUIRE(result.state == vpTrackingState::LOST);
       CHECK(result.score < 0.4);
       const bool coasts = result.reason == Reason::COASTING;

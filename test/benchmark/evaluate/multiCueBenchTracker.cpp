@@ -105,6 +105,14 @@ public:
   }
 
   void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) override { m_tracker.initFromPose(I.color, cMo); }
+  void startRoughly(const BenchImage &I, const vpHomogeneousMatrix &cMo, double angleDeviation,
+                    double translationDeviation) override
+  {
+    vpPoseDeviation deviation;
+    deviation.translation = translationDeviation;
+    deviation.rotation = angleDeviation;
+    m_tracker.initFromRoughPose(I.color, cMo, deviation);
+  }
   void track(const BenchImage &I) override { m_tracker.track(I.color); }
 
   TrackerAnswer answer() override

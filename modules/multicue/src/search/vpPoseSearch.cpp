@@ -15,13 +15,23 @@ const double half = 0.5; // Deviations of a layer, in those of the layer before 
 } // namespace
 
 vpPoseSearch::vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed)
+    : vpPoseSearch([&score](const vpHomogeneousMatrix &cMo) { return score(cMo).total; }, model, seed)
+{
+}
+
+vpPoseSearch::vpPoseSearch(const Score &score, const vpTrackedModel &model, std::uint64_t seed)
     : m_score(score), m_centre(model.centre()), m_diameter(model.diameter()), m_seed(seed)
 {
 }
 
 void vpPoseSearch::setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight)
 {
-  m_priorPose = cMo;
+  setPrior(std::vector<vpHomogeneousMatrix>{cMo}, spread, weight);
+}
+
+void vpPoseSearch::setPrior(const std::vector<vpHomogeneousMatrix> &poses, const Spread &spread, double weight)
+{
+  m_priorPoses = poses;
   m_priorSpread = spread;
   m_priorWeight = weight;
 }
@@ -67,11 +77,14 @@ double vpPoseSearch::distance(const vpHomogeneousMatrix &a, const vpHomogeneousM
 double vpPoseSearch::scoreOf(const vpHomogeneousMatrix &cMo)
 {
   ++m_scored;
-  const double score = m_score(cMo).total;
+  const double score = m_score(cMo);
   if (!(m_priorWeight > 0.)) {
     return score;
   }
-  const double d = distance(cMo, m_priorPose, m_priorSpread);
+  double d = HUGE_VAL;
+  for (const vpHomogeneousMatrix &pose : m_priorPoses) {
+    d = std::min(d, distance(cMo, pose, m_priorSpread));
+  }
   return score - m_priorWeight * d * d;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 BEGIN_VISP_NAMESPACE
@@ -48,7 +49,11 @@ public:
   // Of a pose that is one spread off, for setPrior().
   static constexpr double usualPrior = 0.02;
 
+  // The larger, the likelier.
+  using Score = std::function<double(const vpHomogeneousMatrix &cMo)>;
+
   vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed);
+  vpPoseSearch(const Score &score, const vpTrackedModel &model, std::uint64_t seed);
 
   // Poses of the first layer, without a score; the starts are among them.
   void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
@@ -56,6 +61,8 @@ public:
   void setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight);
   // Poses that look alike count as the same; null: none do. To live as long as the search.
   void setSymmetries(const vpModelSymmetries *symmetries) { m_symmetries = symmetries; }
+  // Likewise with several poses; the nearest one counts.
+  void setPrior(const std::vector<vpHomogeneousMatrix> &poses, const Spread &spread, double weight);
   // Orientations all around, at a point of the line of sight through a pixel; see spread for depth and translation.
   void scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
                      std::size_t number);
@@ -81,7 +88,7 @@ private:
   vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, const Spread &spread);
   double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
 
-  const vpPoseScore &m_score;
+  Score m_score;
   const vpModelSymmetries *m_symmetries = nullptr;
   Eigen::Vector3d m_centre;
   double m_diameter;
@@ -90,7 +97,7 @@ private:
   std::size_t m_scored = 0;
   std::vector<vpPoseCandidate> m_candidates;
   std::vector<vpPoseCandidate> m_copies;
-  vpHomogeneousMatrix m_priorPose;
+  std::vector<vpHomogeneousMatrix> m_priorPoses;
   Spread m_priorSpread;
   double m_priorWeight = 0.;
 };

@@ -2,6 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "hypotheses/vpControlPointMotion.h"
+#include "tracker/vpPoseCheck.h"
 #include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
@@ -22,60 +23,6 @@ const double sameDepth = 2.5;
 
 // A pose that moved its control points by more than this many search ranges in one match has diverged.
 const double maxMotion = 2.;
-
-bool isFinite(const vpHomogeneousMatrix &cMo)
-{
-  return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); });
-}
-
-void requireRigid(const vpHomogeneousMatrix &cMo)
-{
-  if (!isFinite(cMo)) {
-    throw vpException(vpException::badValue,
-                      "The initial pose is not finite (NaN or infinite values): check how it was computed");
-  }
-  if (!cMo.getRotationMatrix().isARotationMatrix(1e-4)) {
-    throw vpException(vpException::badValue,
-                      "The initial pose has no rotation in its upper left 3 x 3: check how it was computed");
-  }
-}
-
-// The projected corners of the bounding box tell whether a camera can see anything of the object.
-void requireInView(const vpTrackedModel &model, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
-                   unsigned int width, unsigned int height)
-{
-  unsigned int inFront = 0;
-  Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL);
-  Eigen::Array2d high = -low;
-  for (unsigned int corner = 0; corner < 8; ++corner) {
-    const double x = ((corner & 1U) ? model.boxMax() : model.boxMin()).x();
-    const double y = ((corner & 2U) ? model.boxMax() : model.boxMin()).y();
-    const double z = ((corner & 4U) ? model.boxMax() : model.boxMin()).z();
-    const double cX = cMo[0][0] * x + cMo[0][1] * y + cMo[0][2] * z + cMo[0][3];
-    const double cY = cMo[1][0] * x + cMo[1][1] * y + cMo[1][2] * z + cMo[1][3];
-    const double cZ = cMo[2][0] * x + cMo[2][1] * y + cMo[2][2] * z + cMo[2][3];
-    if (cZ > 0.) {
-      ++inFront;
-      const Eigen::Array2d pixel(cam.get_px() * cX / cZ + cam.get_u0(), cam.get_py() * cY / cZ + cam.get_v0());
-      low = low.min(pixel);
-      high = high.max(pixel);
-    }
-  }
-  if (inFront == 0) {
-    throw vpException(
-        vpException::badValue,
-        "At the initial pose the object is behind the camera (z = %g m): poses map object to camera, z forward",
-        cMo[2][3]);
-  }
-  const bool outside = (high < 0.).any() || low.x() > width - 1. || low.y() > height - 1.;
-  if (inFront == 8 && outside) {
-    throw vpException(
-        vpException::badValue,
-        "At the initial pose the object (%g m wide) is outside the image: it projects to columns %.0f to %.0f, "
-        "rows %.0f to %.0f of %u x %u; check pose, camera and the model's unit",
-        model.diameter(), low.x(), high.x(), low.y(), high.y(), width, height);
-  }
-}
 } // namespace
 
 vpMbMultiCueTracker::vpMbMultiCueTracker() : vpMbMultiCueTracker(EDGE_TRACKER)
@@ -102,13 +49,14 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
   requireTrackable(width, height);
   const vpHomogeneousMatrix cMo = m_cMo;
   m_cMo = m_impl->trusted; // Until the new pose has passed.
-  requireRigid(cMo);
-  requireInView(*m_impl->model, cMo, m_cam, width, height);
+  vpPoseCheck::requireRigid(cMo);
+  vpPoseCheck::requireInView(*m_impl->model, cMo, m_cam, width, height);
   m_cMo = cMo;
   m_impl->trusted = cMo;
   m_impl->width = width;
   m_impl->height = height;
   m_impl->forgetImages();
+  m_impl->rough.clear();
   m_impl->state = vpTrackingState::UNCERTAIN;
   m_impl->reason = "no image was tracked yet";
 }
@@ -177,6 +125,14 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.minimisations = 0;
   impl.frameCamera = frame.camera();
+  askDetector(frame);
+  if (!resumeStart(frame)) {
+    impl.rough.hasHint = false;
+    if (impl.throwOnLoss) {
+      testTracking();
+    }
+    return;
+  }
   const vpHomogeneousMatrix cMoBefore = m_cMo;
   predict();
   const bool explores = impl.type == EDGE_TRACKER && impl.particles.settings().enabled;
@@ -190,6 +146,9 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     m_cMo = cMoBefore;
     impl.edges.reset();
     judge(estimate(frame));
+  }
+  if (impl.rough.hasHint && impl.type == EDGE_TRACKER) {
+    compareHint(frame);
   }
   if (explores) {
     weighParticles(frame);
@@ -211,6 +170,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     impl.particles.narrow();
     learn(frame);
   }
+  confirmStart(frame);
   if (m_impl->throwOnLoss) {
     testTracking();
   }
@@ -277,7 +237,7 @@ bool vpMbMultiCueTracker::estimateFrom(const vpCueFrame &frame, bool matched)
       match(frame, m_cMo);
     }
     matched = false;
-    if (!minimise({EDGE_TRACKER}) || !isFinite(m_cMo)) {
+    if (!minimise({EDGE_TRACKER}) || !vpPoseCheck::isFinite(m_cMo)) {
       return false;
     }
     const double motion = vpControlPointMotion::mean(*m_impl->view, m_cMo, frame.camera());

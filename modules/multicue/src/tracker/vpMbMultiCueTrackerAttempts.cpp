@@ -180,15 +180,19 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.bestValue = -2.;
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
-  if (takeAttempt(refineFused(frame))) {
+  bool isEnough = takeAttempt(refineFused(frame));
+  if (impl.rough.hasHint) {
+    isEnough = tryHint(frame) || isEnough;
+  }
+  if (isEnough && impl.bestIsLast) {
     return takeNearestAlike(frame);
   }
-  if (impl.mustConfirm) {
+  if (!isEnough && impl.mustConfirm) {
     impl.usesPoints = false;
     if (!tryKeyframes(frame, false)) {
       searchEverywhere(frame);
     }
-  } else {
+  } else if (!isEnough) {
     tryOthers(frame);
   }
   if (impl.bestExplained < 0.) {

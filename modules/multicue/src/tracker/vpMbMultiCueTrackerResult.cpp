@@ -74,7 +74,8 @@ std::string vpMbMultiCueTracker::Impl::reasonText() const
   if (width == 0) {
     return "no initial pose was given";
   }
-  return outcome == Reason::COASTING ? reason + "; the pose is the predicted one" : reason;
+  const std::string detector = rough.detectorText.empty() ? "" : "; " + rough.detectorText;
+  return reason + (outcome == Reason::COASTING ? "; the pose is the predicted one" : "") + detector;
 }
 
 vpMbTrackingResult vpMbMultiCueTracker::getTrackingResult() const

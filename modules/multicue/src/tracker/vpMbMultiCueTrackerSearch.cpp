@@ -85,6 +85,9 @@ bool vpMbMultiCueTracker::attemptBest(const vpCueFrame &frame, vpPoseSearch &sea
 void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
+  if (searchDetected(frame)) {
+    return;
+  }
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
   search.setSymmetries(impl.symmetries.get());

@@ -67,6 +67,7 @@ void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
   depthRenderer.reset();
   sphere.reset();
   keyframes.setObject(model->centre(), model->diameter());
+  rough.search.setModel(model);
   surface.setSamples(vpSampleSurface(*model, surfacePlaces));
   makeRenderer();
   forgetImages();

@@ -7,6 +7,7 @@
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpPoseUncertainty.h"
+#include "tracker/vpRoughStart.h"
 #include "tracker/vpTextureSupport.h"
 #include "tracker/vpTrackerSymmetries.h"
 
@@ -213,6 +214,8 @@ public:
   unsigned int outsideFrames = 0;  // On end.
   unsigned int doubtfulFrames = 0; // The same, with a pose that is not explained.
   unsigned int confirmations = 0;  // Frames that explained a pose on end since the object was lost.
+
+  vpRoughStart rough;
 
   // Pose estimation; members so that their memory is used again.
   vpCueFusion fusion;

@@ -11,6 +11,7 @@
 #include <visp3/multicue/vpMbTrackingResult.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
 #include <visp3/multicue/vpParticleSettings.h>
+#include <visp3/multicue/vpWeightedPose.h>
 #include <visp3/se3/vpPoseKalmanFilter.h>
 #include <visp3/se3/vpPoseModes.h>
 
@@ -114,6 +115,45 @@ public:
   void initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo) override;
   void initFromPose(const vpImage<vpRGBa> &I_color, const vpPoseVector &cPo) override;
   //@}
+  /** @name Starts at poses that are not exact, see \ref multicue_starts */
+  //@{
+  /*!
+    Looks for the object in this image, about a pose that may be off, and follows it from where it is found.
+
+    A pose is accepted where the image speaks for it more than for any other place of the image. The state is then
+    UNCERTAIN until some frames confirm it, or refuse it. After a refusal the state is LOST, getTrackingResult() tells
+    why, and track() looks for the object again where setSearch() is on, else it stays LOST until the next start. Works
+    with every tracker type. What was learnt before is forgotten either way.
+    \param I Image. \param cMo Where the object may be. \param deviation How far off that may be.
+    \return True where a pose was accepted; getPose() is it.
+    \throw vpException as init(), or where the deviation is out of range; the tracker then stays as it was.
+  */
+  bool initFromRoughPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo,
+                         const vpPoseDeviation &deviation = vpPoseDeviation());
+  bool initFromRoughPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo,
+                         const vpPoseDeviation &deviation = vpPoseDeviation());
+  //! Likewise about several poses, such as those of a detector. \param candidates At least one; weights above 0.
+  bool initFromRoughPoses(const vpImage<unsigned char> &I, const std::vector<vpWeightedPose> &candidates,
+                          const vpPoseDeviation &deviation = vpPoseDeviation());
+  bool initFromRoughPoses(const vpImage<vpRGBa> &I_color, const std::vector<vpWeightedPose> &candidates,
+                          const vpPoseDeviation &deviation = vpPoseDeviation());
+  /*!
+    Asks a program of yours where the object may be: once in each track() before which it was lost, or found again and
+    not yet confirmed, where setSearch() is on. Its poses are looked at beside those that the search finds by itself;
+    with edges alone they are all that there is. Poses that cannot be are passed over, and what it throws stays inside;
+    getTrackingResult() tells so. Off by default. \param detector May be called until the next setDetector() or the
+    tracker's end; an empty one, or null, removes it.
+  */
+  void setDetector(const vpPoseDetector &detector);
+  /*!
+    Tells the next track() of a pose that the object may have, at any time. It is taken where it explains that image
+    better than the pose that is tracked, and forgotten else.
+    \param cMo Pose in the next image. \param deviation How far off it may be.
+    \throw vpException where the pose is not rigid or behind the camera, or the deviation is out of range, and before
+    loadModel(); a hint before it then stays.
+  */
+  void setPoseHint(const vpHomogeneousMatrix &cMo, const vpPoseDeviation &deviation = vpPoseDeviation());
+  //@}
   //! Moves the tracker to another pose, as init() does.
   void setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo) override;
   void setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo) override;
@@ -146,7 +186,7 @@ public:
   void loadConfigFile(const std::string &configFile, bool verbose = true) override;
   /*!
     Chooses the cues; may be called between frames. \param type Sum of vpTrackerType values. \throw vpException for
-    other values, and for points where the library was built without OpenCV's video module.
+    other values, and for points where the library was built without OpenCV's video, features2d or calib3d module.
   */
   virtual void setTrackerType(int type);
   virtual int getTrackerType() const;
@@ -199,7 +239,7 @@ public:
     with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
     confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
     takes ten to thirty times as long as others, 50 to 120 ms with 320 x 240 pixels on one core of a shared server. Off
-    by default; of no effect with edges alone.
+    by default; with edges alone, only starts that were refused and poses of a detector are looked for.
     \param flag On or off; may change between frames, and init() begins anew.
   */
   void setSearch(bool flag);
@@ -318,6 +358,22 @@ private:
   void requireTrackable(unsigned int width, unsigned int height) const;
   template <typename Pixel> void trackImage(const vpImage<Pixel> &I);
   void trackFrame(const vpCueFrame &frame);
+  template <typename Pixel>
+  bool startRoughlyOn(const vpImage<Pixel> &I, const std::vector<vpWeightedPose> &candidates,
+                      const vpPoseDeviation &deviation);
+  bool searchStart(const vpCueFrame &frame);
+  double refineStart(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  double startValue() const;
+  bool takeStart(const vpCueFrame &frame);
+  void addEvidence(const vpCueFrame &frame, unsigned int places);
+  bool resumeStart(const vpCueFrame &frame);
+  void confirmStart(const vpCueFrame &frame);
+  void askDetector(const vpCueFrame &frame);
+  void takeDetected(const std::vector<vpWeightedPose> &poses);
+  bool searchDetected(const vpCueFrame &frame);
+  bool tryHint(const vpCueFrame &frame);
+  void compareHint(const vpCueFrame &frame);
+  std::vector<vpHomogeneousMatrix> hintStarts(const vpCueFrame &frame);
   bool computeVVS();
   void computeStep(unsigned int iteration, bool allDegreesOfFreedom);
   bool restrictToObserved();

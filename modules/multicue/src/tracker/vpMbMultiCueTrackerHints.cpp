@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpPoseCheck.h"
+#include "tracker/vpTrackerState.h"
+
+#include <visp3/core/vpException.h>
+#include <visp3/core/vpImageConvert.h>
+
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const double usualTranslation = 0.1; // Diameters.
+const double perAxis = 0.8;
+const std::size_t drawn = 80;
+const std::size_t mostStarts = 4;
+const std::size_t drawnOfDetector = 300;
+// By how much a hint has to be better than the pose that is tracked.
+const double leastGain = 0.05;
+} // namespace
+
+void vpMbMultiCueTracker::setDetector(const vpPoseDetector &detector)
+{
+  m_impl->rough.detector = detector;
+}
+
+// While the object is lost, or found again and not confirmed.
+void vpMbMultiCueTracker::askDetector(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  vpRoughStart &rough = impl.rough;
+  rough.detected.clear();
+  rough.detectorText.clear();
+  const bool isLost = impl.state == vpTrackingState::LOST || impl.mustConfirm;
+  if (!rough.detector || !impl.searches || !isLost) {
+    return;
+  }
+  const vpPoseDetector detector = rough.detector; // It may remove itself.
+  try {
+    if (frame.hasColor()) {
+      takeDetected(detector(frame.color(), frame.camera()));
+    } else {
+      vpImage<vpRGBa> I;
+      vpImageConvert::convert(frame.gray(), I);
+      takeDetected(detector(I, frame.camera()));
+    }
+  } catch (const vpException &e) {
+    rough.detectorText = std::string("the detector failed: ") + e.getMessage();
+  } catch (const std::exception &e) {
+    rough.detectorText = std::string("the detector failed: ") + e.what();
+  } catch (...) {
+    rough.detectorText = "the detector failed with an exception of unknown type";
+  }
+}
+
+void vpMbMultiCueTracker::takeDetected(const std::vector<vpWeightedPose> &poses)
+{
+  Impl &impl = *m_impl;
+  vpRoughStart &rough = impl.rough;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    try {
+      vpPoseCheck::requireRigid(poses[i].cMo);
+      vpPoseCheck::requireInView(*impl.model, poses[i].cMo, impl.frameCamera, impl.width, impl.height);
+      if (!(poses[i].weight > 0.) || !std::isfinite(poses[i].weight)) {
+        throw vpException(vpException::badValue, "Its weight is %g, it must be above 0", poses[i].weight);
+      }
+      rough.detected.push_back(poses[i]);
+    } catch (const vpException &e) {
+      rough.detectorText = "pose " + std::to_string(i) + " of the detector is passed over: " + e.getMessage();
+    }
+  }
+}
+
+// The likeliest poses about those that the detector gave. \return True where one of them is enough.
+bool vpMbMultiCueTracker::searchDetected(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const std::vector<vpWeightedPose> &detected = impl.rough.detected;
+  if (detected.empty()) {
+    return false;
+  }
+  impl.scoreFrame(frame);
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
+  double total = 0.;
+  for (const vpWeightedPose &pose : detected) {
+    total += pose.weight;
+  }
+  for (const vpWeightedPose &pose : detected) {
+    search.scatter({pose.cMo}, vpPoseSearch::near(),
+                   static_cast<std::size_t>(pose.weight / total * static_cast<double>(drawnOfDetector)));
+  }
+  impl.settle(search);
+  return attemptBest(frame, search);
+}
+
+void vpMbMultiCueTracker::setPoseHint(const vpHomogeneousMatrix &cMo, const vpPoseDeviation &deviation)
+{
+  const vpTrackedModel &model = m_impl->requireModel();
+  deviation.check();
+  vpPoseCheck::requireRigid(cMo);
+  if (!((vpPoseExponential::toEigen(cMo) * model.centre()).z() > 0.)) {
+    throw vpException(vpException::badValue, "At the hint's pose the object is behind the camera (z = %g m)",
+                      cMo[2][3]);
+  }
+  m_impl->rough.hint = cMo;
+  m_impl->rough.hintDeviation = deviation;
+  m_impl->rough.hasHint = true;
+}
+
+// The likeliest poses about the hint by what was learnt; it is used up.
+std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::hintStarts(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  vpRoughStart &rough = impl.rough;
+  rough.hasHint = false;
+  const double given = rough.hintDeviation.translation;
+  const double translation = perAxis * (given > 0. ? given / impl.model->diameter() : usualTranslation);
+  const vpPoseSearch::Spread spread = {translation, perAxis * rough.hintDeviation.rotation, translation};
+  impl.scoreFrame(frame);
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.scatter({rough.hint}, spread, drawn);
+  impl.settle(search);
+  search.keepBest(mostStarts - 1, vpPoseSearch::same());
+  std::vector<vpHomogeneousMatrix> starts = {rough.hint};
+  for (const vpPoseCandidate &candidate : search.candidates()) {
+    starts.push_back(candidate.cMo);
+  }
+  return starts;
+}
+
+// With several cues: one more attempt, as likely beforehand as the expected pose. \return True where it was taken and
+// explains enough.
+bool vpMbMultiCueTracker::tryHint(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const vpHomogeneousMatrix expected = impl.expectedPose;
+  const vpHomogeneousMatrix poseBefore = impl.bestPose;
+  const double shareBefore = impl.bestExplained;
+  const double valueBefore = impl.bestValue;
+  const Impl::Share sharesBefore = impl.bestShare;
+  const bool pointsBefore = impl.bestUsesPoints;
+  impl.usesPoints = false;
+  bool isEnough = false;
+  for (const vpHomogeneousMatrix &start : hintStarts(frame)) {
+    impl.expectedPose = start;
+    isEnough = attemptFrom(frame, start);
+  }
+  if (impl.bestValue > valueBefore + leastGain) {
+    impl.expectedPose = impl.bestPose; // That it moved so far is no surprise.
+    impl.kalman.reset();
+    impl.sinceUpdate = 0.;
+    return isEnough;
+  }
+  impl.expectedPose = expected;
+  impl.bestPose = poseBefore;
+  impl.bestExplained = shareBefore;
+  impl.bestShare = sharesBefore;
+  impl.bestValue = valueBefore;
+  impl.bestUsesPoints = pointsBefore;
+  impl.bestIsLast = false;
+  return false;
+}
+
+// With edges alone: the pose that was tracked and that of the hint by the edges of the image.
+void vpMbMultiCueTracker::compareHint(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  vpStartSearch &search = impl.rough.search;
+  const vpHomogeneousMatrix tracked = m_cMo;
+  const bool isLost = impl.state == vpTrackingState::LOST;
+  search.setFrame(frame, impl.viewSphere(), impl.preference, impl.viewOptions.textureEdges);
+  const double before = isLost ? 0. : search(m_cMo).total;
+  const auto references = impl.edges;
+  double best = before + leastGain;
+  bool isTaken = false;
+  for (const vpHomogeneousMatrix &start : hintStarts(frame)) {
+    m_cMo = start;
+    impl.edges.reset();
+    if (estimateFrom(frame, false) && search(m_cMo).total > best) {
+      best = search(m_cMo).total + leastGain; // The hint itself comes first, and is likelier than those about it.
+      impl.bestPose = m_cMo;
+      isTaken = true;
+    }
+  }
+  if (isTaken) {
+    m_cMo = impl.bestPose;
+    impl.kalman.reset();
+    impl.sinceUpdate = 0.;
+  } else {
+    m_cMo = tracked;
+    impl.edges = references;
+  }
+  if (isTaken || !isLost) {
+    judge(estimateFrom(frame, false));
+  }
+}
+
+END_VISP_NAMESPACE

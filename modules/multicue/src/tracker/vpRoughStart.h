@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpRoughStart_h
+#define vpRoughStart_h
+
+#include "search/vpStartEvidence.h"
+
+#include <visp3/multicue/vpWeightedPose.h>
+
+#include <string>
+
+BEGIN_VISP_NAMESPACE
+
+// Poses that came from outside and are not exact, and a start from them until it is confirmed.
+struct vpRoughStart
+{
+  enum Phase
+  {
+    NONE,       // There was no such start, or it was confirmed.
+    REFUSED,    // None of the poses was accepted.
+    UNCONFIRMED // One was, and has to explain more frames.
+  };
+
+  void clear()
+  {
+    phase = NONE;
+    candidates.clear();
+    evidence.clear();
+    tries = 0;
+  }
+
+  Phase phase = NONE;
+  std::vector<vpWeightedPose> candidates;
+  vpPoseSearch::Spread spread; // About them.
+  unsigned int tries = 0;      // Images in which the object was looked for about them.
+  vpStartSearch search;
+  vpStartEvidence evidence;
+
+  vpPoseDetector detector;
+  std::vector<vpWeightedPose> detected; // In this frame.
+  std::string detectorText;             // What was wrong with it in this frame.
+
+  bool hasHint = false;
+  vpHomogeneousMatrix hint;
+  vpPoseDeviation hintDeviation;
+};
+
+END_VISP_NAMESPACE
+#endif
