@@ -178,6 +178,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.bestExplained = -1.;
   impl.mostAgreeing = 0;
   impl.bestValue = -2.;
+  impl.recallLearnt();
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
   bool isEnough = takeAttempt(refineFused(frame));

@@ -14,7 +14,7 @@ namespace {
 const std::size_t nearNumber = 80;
 const std::size_t scoredNumber = 400; // Where colours do not help, from the near spread and from a wider one each.
 const double widerFactor = 1.6;
-const std::size_t modeNumber = 10;    // Around each mode of the particles.
+const std::size_t modeNumber = 10; // Around each mode of the particles.
 const std::size_t keptParents = 24;
 const std::size_t children = 200;
 const unsigned int layers = 3;

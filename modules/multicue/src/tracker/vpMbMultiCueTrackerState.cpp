@@ -16,6 +16,8 @@ const unsigned int doubtfulConfirmations = 15; // Where the surface looks like t
 // is followed for longer, since light and what is in front of it change more often than it jumps.
 const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
+// One that is lost again within as many frames was no right one, perhaps.
+const unsigned int fewFrames = 60;
 const double confirming = 0.75;     // Share of what is usually explained.
 const double insideToConfirm = 0.4; // Share of the outline that is in the image.
 const double leastInside = 0.3;
@@ -86,20 +88,53 @@ void vpMbMultiCueTracker::confirm()
   }
 }
 
+// An object that is lost soon after it was found may have been something else.
+void vpMbMultiCueTracker::Impl::noteLoss()
+{
+  if (mustConfirm) {
+    return;
+  }
+  mustConfirm = true;
+  if (learntBefore && foundFrames < fewFrames) {
+    mustRecall = true;
+  } else {
+    learntBefore = std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted});
+  }
+}
+
+// At the start of a frame: the last one's results are of what was learnt then.
+void vpMbMultiCueTracker::Impl::recallLearnt()
+{
+  if (!mustRecall) {
+    return;
+  }
+  mustRecall = false;
+  color = learntBefore->color;
+  surface = learntBefore->surface;
+  usual = learntBefore->usual;
+  unsteadiness = learntBefore->unsteadiness;
+  trusted = learntBefore->trusted;
+  keyframes.reset();
+  searched.clear();
+}
+
 void vpMbMultiCueTracker::confirmState()
 {
   Impl &impl = *m_impl;
+  ++impl.foundFrames;
   if (impl.state == vpTrackingState::LOST) {
     ++impl.lostFrames;
     impl.confirmations = 0;
-    impl.mustConfirm = true;
+    impl.noteLoss();
     return;
   }
   const double inside = impl.insideShare(m_cMo);
   const bool isExplained = impl.state == vpTrackingState::TRACKING;
   impl.outsideFrames = inside < leastInside ? impl.outsideFrames + 1 : 0;
   impl.doubtfulFrames = isExplained ? 0 : impl.doubtfulFrames + 1;
-  impl.mustConfirm = impl.mustConfirm || impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubtful;
+  if (impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubtful) {
+    impl.noteLoss();
+  }
   if (inside < leastInside) {
     impl.state = vpTrackingState::UNCERTAIN;
   }
@@ -117,6 +152,7 @@ void vpMbMultiCueTracker::confirmState()
       isDecisive() ? neededConfirmations : (isContradicted() ? doubtfulConfirmations : usualConfirmations);
   if (impl.confirmations >= needed) {
     impl.mustConfirm = false;
+    impl.foundFrames = 0;
     impl.lostFrames = 0;
     impl.searched.clear();
     impl.kalman.reset(); // Of how it moves now, nothing is known.

@@ -198,6 +198,8 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   lostFrames = 0;
   confirmations = 0;
   mustConfirm = false;
+  mustRecall = false;
+  learntBefore.reset();
   outsideFrames = 0;
   doubtfulFrames = 0;
   scoredFrame = 0;

@@ -213,7 +213,21 @@ public:
   bool mustConfirm = false;
   unsigned int outsideFrames = 0;  // On end.
   unsigned int doubtfulFrames = 0; // The same, with a pose that is not explained.
-  unsigned int confirmations = 0;  // Frames that explained a pose on end since the object was lost.
+  //! What trusted frames told of the object's looks.
+  struct Learnt
+  {
+    vpColorCue color;
+    vpSurfaceMemory surface;
+    Agreement usual;
+    Agreement unsteadiness;
+    vpHomogeneousMatrix trusted;
+  };
+  void noteLoss();
+  void recallLearnt();
+  std::unique_ptr<Learnt> learntBefore; // Before the last loss; null where there was none.
+  bool mustRecall = false;              // What was learnt since then is of something else.
+  unsigned int foundFrames = 0;         // Since the object was found again.
+  unsigned int confirmations = 0;       // Frames that explained a pose on end since the object was lost.
 
   vpRoughStart rough;
 
