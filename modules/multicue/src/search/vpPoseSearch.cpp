@@ -144,6 +144,18 @@ void vpPoseSearch::scatter(const std::vector<vpHomogeneousMatrix> &starts, const
   }
 }
 
+void vpPoseSearch::scatter(const std::vector<vpWeightedPose> &starts, const Spread &spread, std::size_t number)
+{
+  double total = 0.;
+  for (const vpWeightedPose &start : starts) {
+    total += start.weight;
+  }
+  for (const vpWeightedPose &start : starts) {
+    scatter(std::vector<vpHomogeneousMatrix>{start.cMo}, spread,
+            static_cast<std::size_t>(start.weight / total * static_cast<double>(number)));
+  }
+}
+
 void vpPoseSearch::keepBest(std::size_t keep, const Spread &apart)
 {
   std::stable_sort(m_candidates.begin(), m_candidates.end(),

@@ -6,6 +6,7 @@
 #include "search/vpPoseScore.h"
 
 #include <visp3/model/vpModelSymmetries.h>
+#include <visp3/multicue/vpWeightedPose.h>
 #include <visp3/se3/vpPoseExponential.h>
 
 #include <algorithm>
@@ -57,6 +58,8 @@ public:
 
   // Poses of the first layer, without a score; the starts are among them.
   void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
+  // Likewise about several poses, of each as many as it has a share in all weights.
+  void scatter(const std::vector<vpWeightedPose> &starts, const Spread &spread, std::size_t number);
   // Poses near to a start are likelier than those far from it; before the first score().
   void setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight);
   // Poses that look alike count as the same; null: none do. To live as long as the search.

@@ -74,16 +74,12 @@ vpPoseSearch vpStartSearch::search(const std::vector<vpWeightedPose> &starts, co
     return byColors ? value.total : value.edges - outsideCost * (1. - value.inside);
   };
   vpPoseSearch search(likeness, m_sphere->model(), seed);
-  double total = 0.;
   std::vector<vpHomogeneousMatrix> poses;
   for (const vpWeightedPose &start : starts) {
-    total += start.weight;
     poses.push_back(start.cMo);
   }
   search.setPrior(poses, spread, vpPoseSearch::usualPrior);
-  for (const vpWeightedPose &start : starts) {
-    search.scatter({start.cMo}, spread, static_cast<std::size_t>(start.weight / total * static_cast<double>(draws)));
-  }
+  search.scatter(starts, spread, draws);
   search.score();
   search.anneal(spread, parents, offspring, layers);
   return search;

@@ -12,8 +12,6 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const double usualTranslation = 0.1; // Diameters.
-const double perAxis = 0.8;
 const std::size_t drawn = 80;
 const std::size_t mostStarts = 4;
 const std::size_t drawnOfDetector = 300;
@@ -84,14 +82,7 @@ bool vpMbMultiCueTracker::searchDetected(const vpCueFrame &frame)
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
   search.setSymmetries(impl.symmetries.get());
-  double total = 0.;
-  for (const vpWeightedPose &pose : detected) {
-    total += pose.weight;
-  }
-  for (const vpWeightedPose &pose : detected) {
-    search.scatter({pose.cMo}, vpPoseSearch::near(),
-                   static_cast<std::size_t>(pose.weight / total * static_cast<double>(drawnOfDetector)));
-  }
+  search.scatter(detected, vpPoseSearch::near(), drawnOfDetector);
   impl.settle(search);
   return attemptBest(frame, search);
 }
@@ -116,12 +107,10 @@ std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::hintStarts(const vpCueFram
   Impl &impl = *m_impl;
   vpRoughStart &rough = impl.rough;
   rough.hasHint = false;
-  const double given = rough.hintDeviation.translation;
-  const double translation = perAxis * (given > 0. ? given / impl.model->diameter() : usualTranslation);
-  const vpPoseSearch::Spread spread = {translation, perAxis * rough.hintDeviation.rotation, translation};
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
-  search.scatter({rough.hint}, spread, drawn);
+  search.scatter(std::vector<vpHomogeneousMatrix>{rough.hint},
+                 vpRoughStart::spreadOf(rough.hintDeviation, impl.model->diameter()), drawn);
   impl.settle(search);
   search.keepBest(mostStarts - 1, vpPoseSearch::same());
   std::vector<vpHomogeneousMatrix> starts = {rough.hint};

@@ -12,9 +12,6 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const double usualTranslation = 0.1; // Diameters.
-// Deviations of a pose along each axis, in that of the whole motion; somewhat more than by the root of 3.
-const double perAxis = 0.8;
 const unsigned int refinements = 4;
 // A further one has to gain as much.
 const double leastGain = 1e-3;
@@ -104,10 +101,8 @@ bool vpMbMultiCueTracker::startRoughlyOn(const vpImage<Pixel> &I, const std::vec
   }
   m_cMo = heaviest(candidates);
   start(I.getWidth(), I.getHeight());
-  const double diameter = impl.model->diameter();
-  const double translation = deviation.translation > 0. ? deviation.translation / diameter : usualTranslation;
   impl.rough.candidates = candidates;
-  impl.rough.spread = {perAxis * translation, perAxis * deviation.rotation, perAxis * translation};
+  impl.rough.spread = vpRoughStart::spreadOf(deviation, impl.model->diameter());
   return searchStart(impl.source.frame(I, m_cam, m_mask));
 }
 

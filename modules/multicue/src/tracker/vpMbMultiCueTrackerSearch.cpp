@@ -29,6 +29,21 @@ const std::size_t mostBlobs = 4;
 const double windowShare = 0.5;
 const double mostShift = 1.5;       // Beyond it, shifts are equally unlikely.
 const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
+
+// The best poses after a first alignment, with those that were not to be lost by it.
+void keepSettled(vpPoseSearch &search)
+{
+  search.addCopies();
+  search.score();
+  search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
+}
+
+// Poses that were aligned are near to what they can become.
+void annealSettled(vpPoseSearch &search)
+{
+  search.score();
+  search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
+}
 } // namespace
 
 // One more start. \param byColors Their coarse levels come first, which reach far. \return True where the pose that it
@@ -100,9 +115,8 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
     search.scatter({candidate.cMo}, vpPoseSearch::near(), children / mostAttempts);
   }
   impl.settle(search);
-  search.keepBest(mostAttempts, vpPoseSearch::same());
-  impl.searched = search.candidates();
   attemptBest(frame, search);
+  impl.searched = search.candidates();
 }
 
 // Of half a turn, and of two diameters.
@@ -127,38 +141,32 @@ double vpMbMultiCueTracker::Impl::insideShare(const vpHomogeneousMatrix &cMo)
 // From poses drawn far and wide to a few that are as good as they can be told from views made beforehand.
 void vpMbMultiCueTracker::Impl::settle(vpPoseSearch &search)
 {
-  if (uses(COLOR_TRACKER) && color.histograms().isKnown()) {
-    if (reliability(unsteadiness.color) < leastReliability) {
-      search.keepCopies(); // Colours may lead away from the object.
-    }
-    search.alignByColors(aligner, 0.15, 2);
-    search.alignByColors(aligner, 0.08, 1);
-    search.addCopies();
-    search.score();
-    search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
-    search.alignByColors(aligner, 0.05, 2);
-    search.score();
-    search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
-  } else {
+  if (!uses(COLOR_TRACKER) || !color.histograms().isKnown()) {
     settleByScore(search);
+    return;
   }
+  if (reliability(unsteadiness.color) < leastReliability) {
+    search.keepCopies(); // Colours may lead away from the object.
+  }
+  search.alignByColors(aligner, 0.15, 2);
+  search.alignByColors(aligner, 0.08, 1);
+  keepSettled(search);
+  search.alignByColors(aligner, 0.05, 2);
+  annealSettled(search);
 }
 
 void vpMbMultiCueTracker::Impl::settleByScore(vpPoseSearch &search) const
 {
-  if (uses(EDGE_TRACKER)) {
-    search.keepCopies(); // Where edges are many, the nearest ones may lead away from the object's.
-    search.alignByEdges(aligner, 3);
-    search.addCopies();
-    search.score();
-    search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
-    search.alignByEdges(aligner, 2);
-    search.score();
-    search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
-  } else {
+  if (!uses(EDGE_TRACKER)) {
     search.score();
     search.anneal(vpPoseSearch::near(), keptParents, children, layers);
+    return;
   }
+  search.keepCopies(); // Where edges are many, the nearest ones may lead away from the object's.
+  search.alignByEdges(aligner, 3);
+  keepSettled(search);
+  search.alignByEdges(aligner, 2);
+  annealSettled(search);
 }
 
 // Orientations at the places that have the object's colours.

@@ -20,6 +20,15 @@ struct vpRoughStart
     UNCONFIRMED // One was, and has to explain more frames.
   };
 
+  // Along each axis, of deviations of the whole motion; somewhat more than by the root of 3.
+  static vpPoseSearch::Spread spreadOf(const vpPoseDeviation &deviation, double diameter)
+  {
+    const double perAxis = 0.8;
+    const double usualTranslation = 0.1; // Diameters.
+    const double translation = deviation.translation > 0. ? deviation.translation / diameter : usualTranslation;
+    return {perAxis * translation, perAxis * deviation.rotation, perAxis * translation};
+  }
+
   void clear()
   {
     phase = NONE;

@@ -77,7 +77,8 @@ public:
   //! \return Depth of the object at a pose for the image of the last match(), any scale; null where it cannot be had.
   using DepthSource = std::function<const vpRenderedView *(const vpHomogeneousMatrix &cMo)>;
 
-  //! False where the library was built without OpenCV's video, features2d or calib3d module: the constructor then throws.
+  //! False where the library was built without OpenCV's video, features2d or calib3d module: the constructor then
+  //! throws.
   static bool isAvailable();
 
   //! \throw vpException naming the setting out of range, or where the cue is not available.
