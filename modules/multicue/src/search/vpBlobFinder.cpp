@@ -12,6 +12,8 @@ const double scales[] = {0.7, 1., 1.4};
 const double around = 1.7; // Side of what is around, in that of the window.
 const double fullOdds = 2.;
 const double leastContrast = 0.2;
+const double leastSeen = 0.15;  // Share of a window that is in the image.
+const double mostOutside = 0.8; // How far its middle may be outside, in halves of its side.
 } // namespace
 
 // Sums over all cells above and to the left.
@@ -45,15 +47,26 @@ double vpBlobFinder::sum(int left, int top, int right, int bottom) const
   return at(bottom, right) - at(top, right) - at(bottom, left) + at(top, left);
 }
 
-// Mean inside less mean around, in units of the largest; windows that reach out of the image have less of it.
+// Number of cells of a square that are in the image.
+double vpBlobFinder::cells(int column, int row, int half) const
+{
+  const auto length = [half](int at, int end) { return std::min(at + half, end) - std::max(at - half, 0); };
+  return static_cast<double>(std::max(length(column, m_columns), 0)) * std::max(length(row, m_rows), 0);
+}
+
+// Mean inside less mean around, in units of the largest; a window that reaches out of the image shows less.
 double vpBlobFinder::contrastAt(int column, int row, int half) const
 {
   const int wide = static_cast<int>(std::lround(around * half)) + 1;
+  const double area = cells(column, row, half);
+  const double rest = cells(column, row, wide) - area;
+  const double seen = area / (4. * half * half);
+  if (seen < leastSeen || !(rest > 0.)) {
+    return 0.;
+  }
   const double inside = sum(column - half, row - half, column + half, row + half);
   const double all = sum(column - wide, row - wide, column + wide, row + wide);
-  const double area = 4. * half * half;
-  const double rest = 4. * wide * wide - area;
-  return 0.5 * (inside / area - (all - inside) / rest) / fullOdds;
+  return std::sqrt(seen) * 0.5 * (inside / area - (all - inside) / rest) / fullOdds;
 }
 
 const std::vector<vpBlob> &vpBlobFinder::find(const vpColorOddsMap &colors, unsigned int width, unsigned int height,
@@ -66,8 +79,9 @@ const std::vector<vpBlob> &vpBlobFinder::find(const vpColorOddsMap &colors, unsi
   for (const double scale : scales) {
     const int half = std::max(1, static_cast<int>(std::lround(0.5 * scale * size / cell)));
     const int step = std::max(1, half / 3);
-    for (int row = 0; row < m_rows; row += step) {
-      for (int column = 0; column < m_columns; column += step) {
+    const int outside = static_cast<int>(mostOutside * half) / step * step;
+    for (int row = -outside; row < m_rows + outside; row += step) {
+      for (int column = -outside; column < m_columns + outside; column += step) {
         const double contrast = contrastAt(column, row, half);
         if (contrast > leastContrast) {
           m_found.push_back({static_cast<double>(cell * column), static_cast<double>(cell * row),

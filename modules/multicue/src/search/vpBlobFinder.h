@@ -24,13 +24,15 @@ struct vpBlob
 class vpBlobFinder
 {
 public:
-  // size: expected side of the window, pixels. The best one first; none where no place stands out.
+  // Their middles may be outside the image. size: expected side of the window, pixels. The best one first; none where
+  // no place stands out.
   const std::vector<vpBlob> &find(const vpColorOddsMap &colors, unsigned int width, unsigned int height, double size,
                                   std::size_t most);
 
 private:
   void sumUp(const vpColorOddsMap &colors);
   double sum(int left, int top, int right, int bottom) const;
+  double cells(int column, int row, int half) const;
   double contrastAt(int column, int row, int half) const;
 
   int m_columns = 0;

@@ -19,6 +19,8 @@ namespace {
 const double rematchMotion = 1.5; // Pixels.
 const unsigned int maxMatches = 3;
 // What hides what changes little for poses that move the control points by less than this, pixels.
+// Of a pose that is followed but not trusted: the filter takes its covariance times this.
+const double doubtOfMotion = 10.;
 const double sameDepth = 2.5;
 
 // A pose that moved its control points by more than this many search ranges in one match has diverged.
@@ -157,6 +159,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
   updateCovariance();
   confirm();
+  believe();
   if (impl.state == vpTrackingState::LOST) {
     const bool coasts = impl.mayCoast();
     m_cMo = coasts ? impl.expectedPose : cMoBefore;
@@ -169,10 +172,24 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   } else if (impl.isTrusted()) {
     impl.particles.narrow();
     learn(frame);
+  } else if (!impl.mustConfirm) {
+    followDoubtful();
   }
   confirmStart(frame);
   if (m_impl->throwOnLoss) {
     testTracking();
+  }
+}
+
+// The pose that is not trusted may be the one that was followed: how it moves is known.
+void vpMbMultiCueTracker::followDoubtful()
+{
+  Impl &impl = *m_impl;
+  if (impl.surpriseAt(m_cMo) < 1.) {
+    updateMotion(doubtOfMotion);
+  } else if (impl.predicts) {
+    impl.kalman.reset();
+    impl.sinceUpdate = 0.;
   }
 }
 

@@ -20,11 +20,10 @@ const double contradictingSurface = 0.35;
 const double farPenalty = 0.03;
 const double mostFar = 10.;
 const double toleratedPenalty = 0.05;
-const double farDistance = 0.2; // Diameters.
-const double farTurn = 0.4;     // Radians.
 // Of half a turn, or two diameters.
 const double changePenalty = 0.1;
 const double followedBonus = 0.05;
+const double believedBonus = 0.2;
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
 // Turns of the object that are tried, radians.
@@ -42,8 +41,8 @@ std::array<double, 2> vpMbMultiCueTracker::Impl::offExpected(const vpHomogeneous
 double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) const
 {
   const std::array<double, 2> off = offExpected(cMo);
-  const double distance = off[0] / farDistance;
-  const double angle = off[1] / farTurn;
+  const double distance = off[0] / farDeviation[0];
+  const double angle = off[1] / farDeviation[1];
   return std::min(distance * distance + angle * angle, mostFar);
 }
 
@@ -61,8 +60,8 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     // to the last trusted pose is likelier.
     const double unknown = vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
     value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
-    // The pose of the frame before, followed to this one, has explained two images.
-    value += impl.attempted.size() == 1 && impl.state != vpTrackingState::LOST ? followedBonus : 0.;
+    // The pose of the frame before, followed to this one, has explained two images, or more.
+    value += impl.followsLast ? followedBonus + believedBonus * impl.belief.probability() : 0.;
   }
   impl.bestIsLast = estimated && value > impl.bestValue;
   if (impl.bestIsLast) {
@@ -171,6 +170,23 @@ bool vpMbMultiCueTracker::takeNearestAlike(const vpCueFrame &frame)
   return isFound;
 }
 
+// After a loss, where the pose of the frame before does not explain the image.
+void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  impl.usesPoints = false;
+  if (impl.followsLast) { // What hides the object misleads colours and points.
+    m_cMo = impl.expectedPose;
+    if (takeAttempt(refineFused(frame))) {
+      return;
+    }
+    impl.followsLast = false;
+  }
+  if (!tryKeyframes(frame, false)) {
+    searchEverywhere(frame);
+  }
+}
+
 bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
@@ -181,6 +197,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.recallLearnt();
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
+  impl.followsLast = impl.state != vpTrackingState::LOST;
   bool isEnough = takeAttempt(refineFused(frame));
   if (impl.rough.hasHint) {
     isEnough = tryHint(frame) || isEnough;
@@ -189,10 +206,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
     return takeNearestAlike(frame);
   }
   if (!isEnough && impl.mustConfirm) {
-    impl.usesPoints = false;
-    if (!tryKeyframes(frame, false)) {
-      searchEverywhere(frame);
-    }
+    findAgain(frame);
   } else if (!isEnough) {
     tryOthers(frame);
   }

@@ -28,6 +28,9 @@ const double mostMotion = 0.15;
 // In standard deviations of how far it was from there in the frames before.
 const double motionFactor = 2.;
 const double motionRate = 0.2;
+const double farFactor = 3.;
+const double leastFarShare = 0.25;
+const double farRate = 0.1;
 // The pose's deviation is not believed to be below this share of the diameter, and this angle.
 const double leastTranslation = 5e-4;
 const double leastRotation = 1e-3; // Radians.
@@ -100,6 +103,17 @@ void vpMbMultiCueTracker::learnSurprise()
   const std::array<double, 2> off = impl.offExpected(m_cMo);
   for (std::size_t i = 0; i < off.size(); ++i) {
     impl.surprise[i] += motionRate * (off[i] * off[i] - impl.surprise[i]);
+  }
+  impl.learnFarDeviation(off);
+}
+
+// Of an object that moves evenly, a pose beside the expected one is another one; of one that is shaken it is not.
+void vpMbMultiCueTracker::Impl::learnFarDeviation(const std::array<double, 2> &off)
+{
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const double most = mostFarDeviation[i];
+    const double now = std::min(std::max(farFactor * off[i], leastFarShare * most), most);
+    farDeviation[i] = std::max(now, farDeviation[i] + farRate * (now - farDeviation[i]));
   }
 }
 
@@ -180,7 +194,8 @@ void vpMbMultiCueTracker::updateRefusedPoints()
   impl.points->updateReference(m_cMo, weights);
 }
 
-void vpMbMultiCueTracker::updateMotion()
+// \param doubt Factor of the covariance, for a pose that is not trusted.
+void vpMbMultiCueTracker::updateMotion(double doubt)
 {
   Impl &impl = *m_impl;
   if (!impl.usesVelocity()) {
@@ -193,6 +208,7 @@ void vpMbMultiCueTracker::updateMotion()
   }
   covariance.diagonal().head<3>().array() += translation * translation;
   covariance.diagonal().tail<3>().array() += leastRotation * leastRotation;
+  covariance *= doubt;
   impl.kalman.update(m_cMo, covariance, impl.sinceUpdate);
   impl.sinceUpdate = 0.;
 }

@@ -42,8 +42,10 @@ double vpMbMultiCueTracker::Impl::score() const
   if (!isJudged || good == 0) {
     return 0.;
   }
-  const double share = type == EDGE_TRACKER ? support() : bestExplained;
-  return std::min(std::max(share, 0.), 1.);
+  if (type != EDGE_TRACKER) {
+    return state == vpTrackingState::LOST ? 0. : belief.probability();
+  }
+  return support();
 }
 
 vpMbTrackingResult::Cue vpMbMultiCueTracker::Impl::resultOf(int cue) const

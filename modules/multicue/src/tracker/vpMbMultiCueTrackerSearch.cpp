@@ -21,7 +21,7 @@ const unsigned int layers = 3;
 const std::size_t mostAttempts = 4;
 
 // Everywhere: while the object is lost.
-const std::size_t wideNumber = 500;
+const std::size_t wideNumber = 2000;
 // Of the colours: below it, poses are looked at where they were drawn, too.
 const double leastReliability = 0.6;
 const std::size_t mostBlobs = 4;

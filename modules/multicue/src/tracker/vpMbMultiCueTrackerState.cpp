@@ -21,6 +21,7 @@ const unsigned int fewFrames = 60;
 const double confirming = 0.75;     // Share of what is usually explained.
 const double insideToConfirm = 0.4; // Share of the outline that is in the image.
 const double leastInside = 0.3;
+const double trustedBelief = 0.7;
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
 } // namespace
@@ -88,6 +89,28 @@ void vpMbMultiCueTracker::confirm()
   }
 }
 
+// How the pose came about, and what it explained in the frames before, count beside this image.
+void vpMbMultiCueTracker::believe()
+{
+  Impl &impl = *m_impl;
+  if (impl.type == EDGE_TRACKER) {
+    return;
+  }
+  if (impl.state == vpTrackingState::LOST) {
+    impl.belief.lose();
+    return;
+  }
+  if (impl.mustConfirm) {
+    impl.belief.doubt();
+  }
+  impl.belief.update(impl.surpriseAt(m_cMo), impl.bestExplained);
+  const bool isBelieved = !impl.searches || impl.belief.probability() >= trustedBelief;
+  if (impl.state == vpTrackingState::TRACKING && !isBelieved) {
+    impl.state = vpTrackingState::UNCERTAIN;
+    impl.outcome = vpMbTrackingResult::Reason::CONFIRMING;
+  }
+}
+
 // An object that is lost soon after it was found may have been something else.
 void vpMbMultiCueTracker::Impl::noteLoss()
 {
@@ -95,6 +118,7 @@ void vpMbMultiCueTracker::Impl::noteLoss()
     return;
   }
   mustConfirm = true;
+  farDeviation = mostFarDeviation;
   if (learntBefore && foundFrames < fewFrames) {
     mustRecall = true;
   } else {

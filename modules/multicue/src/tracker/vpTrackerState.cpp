@@ -22,6 +22,7 @@ const double trustedExplained = 0.65;
 const double leastExplained = 0.4;
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
+const double rightAtStart = 0.98; // Of a pose that the user gave.
 // Places on the surface whose colours are remembered.
 const std::size_t surfacePlaces = 500;
 } // namespace
@@ -211,6 +212,8 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   usual = Agreement();
   unsteadiness = Agreement();
   surprise.fill(firstSurprise);
+  farDeviation = mostFarDeviation;
+  belief.start(rightAtStart);
   if (points) {
     points->reset();
   }

@@ -6,6 +6,7 @@
 #include "search/vpBlobFinder.h"
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCueFusion.h"
+#include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseUncertainty.h"
 #include "tracker/vpRoughStart.h"
 #include "tracker/vpTextureSupport.h"
@@ -61,7 +62,9 @@ public:
   void scoreRegion(const vpCueFrame &frame, const vpImageRegion &region);
   //! How far a pose is off the expected one: distance of the object's middle in diameters, and angle in radians.
   std::array<double, 2> offExpected(const vpHomogeneousMatrix &cMo) const;
+  //! The same squared, in the deviations that are usual.
   double surpriseAt(const vpHomogeneousMatrix &cMo) const;
+  void learnFarDeviation(const std::array<double, 2> &off);
   //! What the cues say of a pose.
   struct Share
   {
@@ -249,10 +252,14 @@ public:
       0.15;                                 // A surface of one colour tells no pose from another, and has no corners.
   static constexpr double leastUsual = 0.4; // What a right pose has at least, whatever the frames before had.
   vpHomogeneousMatrix bestPose;             // Of the attempts in this frame.
+  bool followsLast = false;                 // The attempt that goes on starts from where the last frame left.
   bool bestIsLast = false;
   bool bestUsesPoints = false;
-  vpHomogeneousMatrix expectedPose;          // Of the object in this frame, before it was looked at.
-  vpHomogeneousMatrix startPose;             // Of the attempt that goes on.
+  vpHomogeneousMatrix expectedPose; // Of the object in this frame, before it was looked at.
+  vpHomogeneousMatrix startPose;    // Of the attempt that goes on.
+  // How far off a pose is no surprise, as offExpected(), and what is taken where nothing is known.
+  std::array<double, 2> farDeviation = {0., 0.};
+  static constexpr std::array<double, 2> mostFarDeviation = {{0.2, 0.4}};
   std::array<double, 2> surprise = {0., 0.}; // Mean squared distance from it, in diameters and radians.
   vpColVector weightedError;
   vpColVector errorBefore;
@@ -273,6 +280,7 @@ public:
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   vpMbTrackingResult::Reason outcome = vpMbTrackingResult::Reason::NOT_STARTED;
   std::string reason;
+  vpPoseBelief belief;              // Of several cues.
   bool isJudged = false;            // An image was tracked since the start.
   unsigned int expected = 0;        // Features that were searched for.
   unsigned int good = 0;            // That the robust estimation kept.

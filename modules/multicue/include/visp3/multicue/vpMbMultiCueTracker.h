@@ -414,7 +414,10 @@ private:
   void estimateByCoarseColors(const vpCueFrame &frame);
   void estimateByPoints(const vpCueFrame &frame);
   void updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near);
-  void updateMotion();
+  void updateMotion(double doubt = 1.);
+  void findAgain(const vpCueFrame &frame);
+  void followDoubtful();
+  void believe();
   void updateCovariance();
   bool estimate(const vpCueFrame &frame);
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth = false);

@@ -66,7 +66,11 @@ struct vpMbTrackingResult
   //! 6 x 6 of vpMbTracker::getCovarianceMatrix(), metres and radians. Empty where setCovarianceComputation() is off.
   vpMatrix covariance;
   vpTrackingState state = vpTrackingState::UNCERTAIN;
-  //! How far to believe the pose, [0, 1]; 0 before the first image. Larger is better, but it is no probability.
+  /*!
+    How far to believe the pose, [0, 1]; 0 before the first image and while the object is lost. With several cues it is
+    the probability that the pose is right, see \ref multicue_search_belief; with edges alone the share of the control
+    points that support it, which is no probability.
+  */
   double score = 0.;
   Reason reason = Reason::NOT_STARTED;
   std::string text; //!< The reason as a sentence, with numbers, for a log.

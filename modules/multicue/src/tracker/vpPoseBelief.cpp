@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tracker/vpPoseBelief.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const double unsurprising = 2.;
+const double staysRight = 0.995;
+const double becomesRight = 0.03;
+const double rightAfterJump = 0.3;
+const double rightAfterLoss = 0.6; // At most.
+// One share more of what is explained makes the odds exp(gain) times better; at the middle they stay as they are.
+const double gain = 3.;
+const double middle = 0.7;
+const double mostExplained = 1.1;
+// So that some frames can turn it.
+const double least = 0.002;
+const double most = 0.995;
+const double lossFactor = 0.5;
+} // namespace
+
+void vpPoseBelief::update(double jump, double explained)
+{
+  const double jumped = jump / (unsurprising + jump);
+  const double followed = staysRight * m_probability + becomesRight * (1. - m_probability);
+  const double before = (1. - jumped) * followed + jumped * rightAfterJump;
+  const double odds = before / (1. - before) * std::exp(gain * (std::min(explained, mostExplained) - middle));
+  m_probability = std::min(std::max(odds / (1. + odds), least), most);
+}
+
+void vpPoseBelief::doubt()
+{
+  m_probability = std::min(m_probability, rightAfterLoss);
+}
+
+void vpPoseBelief::lose()
+{
+  m_probability *= lossFactor;
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpPoseBelief_h
+#define vpPoseBelief_h
+
+#include <visp3/se3/vpCompatibility.h>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  Probability that the pose is right, by a Bayes filter with two states over the frames.
+
+  What one image shows at a wrong pose may be as good as at the right one; what tells them apart is how the pose came
+  about. One that was followed for long is right; one that jumped there, or was found after a loss, has to explain
+  several images.
+
+  Prediction, with the probability p of the frame before and a jump of s squared deviations:
+  \f[ p^- = (1 - J) (a p + b (1 - p)) + J c,  J = s / (1 + s) \f]
+  Correction by the share e that the pose explains of what right ones do:
+  \f[ \frac{p}{1 - p} = \frac{p^-}{1 - p^-} \exp(k (e - e_0)) \f]
+  k is far below what single images would give, since those on end are alike.
+*/
+class vpPoseBelief
+{
+public:
+  //! \param probability Of the pose that is begun with.
+  void start(double probability) { m_probability = probability; }
+  //! \param jump Squared distance to the expected pose, in deviations. \param explained Share, about 1 where all is
+  //! well.
+  void update(double jump, double explained);
+  //! The pose has to be confirmed: nothing but the images of this frame and those to come speaks for it.
+  void doubt();
+  //! There is no pose.
+  void lose();
+  double probability() const { return m_probability; }
+
+private:
+  double m_probability = 0.;
+};
+
+END_VISP_NAMESPACE
+#endif
