@@ -21,6 +21,7 @@ const unsigned int maxMatches = 3;
 // What hides what changes little for poses that move the control points by less than this, pixels.
 // Of a pose that is followed but not trusted: the filter takes its covariance times this.
 const double doubtOfMotion = 10.;
+const double mostOfMotion = 4.; // Squared distance from the expected pose, in deviations; beyond it, it jumped.
 const double sameDepth = 2.5;
 
 // A pose that moved its control points by more than this many search ranges in one match has diverged.
@@ -185,7 +186,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
 void vpMbMultiCueTracker::followDoubtful()
 {
   Impl &impl = *m_impl;
-  if (impl.surpriseAt(m_cMo) < 1.) {
+  if (impl.surpriseAt(m_cMo) < mostOfMotion) {
     updateMotion(doubtOfMotion);
   } else if (impl.predicts) {
     impl.kalman.reset();

@@ -7,7 +7,7 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const double unsurprising = 2.;
+const double unsurprising = 2.; // Of the squared distance: one pose in two that is as far off has jumped.
 const double staysRight = 0.995;
 const double becomesRight = 0.03;
 const double rightAfterJump = 0.3;
@@ -24,7 +24,8 @@ const double lossFactor = 0.5;
 
 void vpPoseBelief::update(double jump, double explained)
 {
-  const double jumped = jump / (unsurprising + jump);
+  const double squared = jump * jump;
+  const double jumped = squared / (unsurprising * unsurprising + squared);
   const double followed = staysRight * m_probability + becomesRight * (1. - m_probability);
   const double before = (1. - jumped) * followed + jumped * rightAfterJump;
   const double odds = before / (1. - before) * std::exp(gain * (std::min(explained, mostExplained) - middle));
