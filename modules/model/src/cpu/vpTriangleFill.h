@@ -45,6 +45,12 @@ template <bool WithTriangle>
 void vpFillTriangle(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c, int index,
                     const vpFillTarget &target);
 
+//! True where the corners go clockwise around what is seen, row by row from above.
+inline bool isFromBehind(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c)
+{
+  return std::int64_t(b.x - a.x) * (c.y - a.y) > std::int64_t(c.x - a.x) * (b.y - a.y);
+}
+
 inline vpScreenVertex::vpScreenVertex(double column, double row, double inverseDepth) : inverse(inverseDepth)
 {
   // Made positive for the cast, which cuts towards zero.
