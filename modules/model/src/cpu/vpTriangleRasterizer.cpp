@@ -120,6 +120,9 @@ template <bool WithTriangle> void vpTriangleRasterizer::drawAll(const vpFillTarg
       continue;
     }
     if (a.drawable && b.drawable && c.drawable) {
+      if (isBetweenPixels(a.screen, b.screen, c.screen)) {
+        continue;
+      }
       vpFillTriangle<WithTriangle>(a.screen, b.screen, c.screen, static_cast<int>(i), target);
     } else {
       drawClipped<WithTriangle>(corners, static_cast<int>(i), target);
