@@ -15,10 +15,31 @@ namespace {
 const unsigned int drawsEach = 2;
 // Control points of their views are as many times farther apart.
 const double coarseness = 2.;
+// Particles that are optimised while the pose explains the image.
+const unsigned int fewOptimised = 2;
 // Room around the particles for what is optimised, shares of their size in the image.
 const double regionMargin = 0.1;
-// What hides what changes little for poses that move the control points by less than this, pixels.
-const double sameDepth = 2.5;
+// What hides what changes little for poses that move the control points by less than this about the object's middle.
+const double sameDepth = 2.5; // Pixels.
+
+// Levels of the view sphere. Where a view needs a depth buffer the finest ones would be more than a frame has time for:
+// what hides what changes little between neighbours, and rims hardly move. Of the usual ones as many are made in a
+// frame as here, and a coarser view stands in for the others.
+const unsigned int usualLevel = 3;
+const unsigned int coarseLevel = 2;
+const unsigned int mostMade = 1;
+
+void makeViews(const vpPoseParticleFilter &particles, const vpHomogeneousMatrix &bMo, vpViewSphere &sphere)
+{
+  unsigned int made = 0;
+  for (std::size_t i = 0; i < particles.size() && made < mostMade; ++i) {
+    const std::size_t view = sphere.nearest(particles.pose(i) * bMo, usualLevel);
+    if (!sphere.isMade(view)) {
+      sphere.make(view);
+      ++made;
+    }
+  }
+}
 
 // Widens a region to the object's sphere at a pose.
 void include(const Eigen::Vector3d &centre, double radius, const vpCameraParameters &cam, Eigen::Array2d &low,
@@ -140,13 +161,26 @@ void vpMbMultiCueTracker::lookAround(const vpCueFrame &frame)
   impl.scoreRegion(frame, particleRegion(frame));
   {
     const vpStopwatch stage(impl.timings.particles);
+    if (!impl.model->isConvex()) {
+      makeViews(particles.filter(), impl.centreFrame().inverse(), impl.viewSphere());
+    }
     particles.values.clear();
     for (std::size_t i = 0; i < particles.filter().size(); ++i) {
       particles.values.push_back(distanceAt(particles.filter().pose(i)));
     }
   }
-  // The estimation from the pose before has random numbers and minimisations of its own, and does the same as without
-  // particles.
+  const bool isCalm = particles.isCalm && !impl.rough.hasHint;
+  particles.before = {isCalm, impl.draws, particles.draws, m_cMo,
+                      isCalm ? particles.rivals : std::vector<vpRivalPose>()};
+  optimiseAround(frame);
+}
+
+// The best particles and the rivals. The estimation from the pose before has random numbers and minimisations of its
+// own, and does the same as without particles.
+void vpMbMultiCueTracker::optimiseAround(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  vpTrackerParticles &particles = impl.particles;
   const vpHomogeneousMatrix cMo = m_cMo;
   std::swap(impl.draws, particles.draws);
   optimiseParticles(frame);
@@ -157,11 +191,32 @@ void vpMbMultiCueTracker::lookAround(const vpCueFrame &frame)
   m_cMo = cMo;
 }
 
+// Few particles were optimised, as the frame before was explained, and this one is not: all of it again with as many as
+// are set.
+void vpMbMultiCueTracker::lookAgain(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  vpTrackerParticles &particles = impl.particles;
+  const unsigned int minimisations = impl.minimisations + particles.minimisations;
+  impl.draws = particles.before.draws;
+  impl.minimisations = 0;
+  particles.draws = particles.before.particleDraws;
+  particles.rivals = particles.before.rivals;
+  particles.before.isCalm = false;
+  m_cMo = particles.before.cMo;
+  optimiseAround(frame);
+  particles.minimisations += minimisations;
+  judge(estimate(frame));
+}
+
 // The weights of [T10] III-E, and what they say of the pose.
 void vpMbMultiCueTracker::weighParticles(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   vpTrackerParticles &particles = impl.particles;
+  if (particles.before.isCalm && !impl.explains(impl.bestResidue())) {
+    lookAgain(frame);
+  }
   impl.minimisations += particles.minimisations;
   compareRivals(frame);
   const vpStopwatch stage(impl.timings.particles);
@@ -195,8 +250,22 @@ void vpMbMultiCueTracker::takeParticleMean()
 // [T10] eq. 11.
 double vpMbMultiCueTracker::distanceAt(const vpHomogeneousMatrix &cMb) const
 {
-  const vpPoseScore::Value value = m_impl->poseScore(cMb * m_impl->centreFrame().inverse());
+  const vpHomogeneousMatrix cMo = cMb * m_impl->centreFrame().inverse();
+  vpViewSphere &sphere = m_impl->viewSphere();
+  const bool isMade = m_impl->model->isConvex() || sphere.isMade(sphere.nearest(cMo, usualLevel));
+  const unsigned int level = m_impl->model->isConvex() ? sphere.options().level : usualLevel;
+  const vpPoseScore::Value value = m_impl->poseScore.at(cMo, isMade ? level : coarseLevel);
   return value.isSeen ? value.distance : vpTrackerParticles::impossible;
+}
+
+// True where the depth buffer of this frame tells what hides what at a pose, too. It is looked into where the object's
+// middle has gone, so that only the motion about that counts; most: of it, pixels.
+bool vpMbMultiCueTracker::servesDepth(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double most) const
+{
+  const Impl &impl = *m_impl;
+  const vpModelView &view = *impl.view;
+  return impl.viewedFrame == frame.number() && !view.points().empty() && view.depth() != nullptr &&
+         vpControlPointMotion::aroundMiddle(view, view.depthPose(), cMo, frame.camera()) < most;
 }
 
 // Optimised particles need no more than half of the control points: what comes of them is estimated again with all.
@@ -205,8 +274,7 @@ void vpMbMultiCueTracker::viewCoarsely(const vpCueFrame &frame, const vpHomogene
   Impl &impl = *m_impl;
   const vpStopwatch stage(impl.timings.view);
   vpModelView &view = *impl.view;
-  const bool keepsDepth = impl.viewedFrame == frame.number() && !view.points().empty() &&
-                          vpControlPointMotion::between(view, view.depthPose(), cMo, frame.camera()) < sameDepth;
+  const bool keepsDepth = servesDepth(frame, cMo, sameDepth);
   vpModelViewOptions options = viewOptions();
   options.sampleStep *= coarseness;
   view.compute(cMo, frame.camera(), frame.width(), frame.height(), options, impl.renderer.get(), keepsDepth);
@@ -219,7 +287,9 @@ void vpMbMultiCueTracker::optimiseParticles(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   vpTrackerParticles &particles = impl.particles;
   const vpHomogeneousMatrix oMb = impl.centreFrame();
-  const std::vector<std::size_t> best = particles.best(particles.values, m_cMo * oMb, impl.model->diameter());
+  const unsigned int all = particles.settings().mostOptimised;
+  const unsigned int most = particles.before.isCalm ? std::min(all, fewOptimised) : all;
+  const std::vector<std::size_t> best = particles.best(particles.values, m_cMo * oMb, impl.model->diameter(), most);
   particles.proposals.clear();
   particles.residues.clear();
   impl.restrictHypotheses(oJo);
