@@ -41,7 +41,7 @@ private:
   std::vector<Corners> m_triangles;
   std::vector<char> m_hasBack; //!< Of each triangle: 1 where its back is inside a closed surface.
   std::vector<Vertex> m_vertices;
-  bool m_isWhole = false; //!< Nothing is before the near plane.
+  bool m_isWhole = false;                           //!< Nothing is before the near plane.
   vpPoseMatrix m_projection = vpPoseMatrix::Zero(); //!< Object point to (depth x column, depth x row, depth).
   double m_near = 0.;
 };
