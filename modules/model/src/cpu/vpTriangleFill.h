@@ -4,6 +4,7 @@
 
 #include <visp3/se3/vpCompatibility.h>
 
+#include <algorithm>
 #include <cstdint>
 
 BEGIN_VISP_NAMESPACE
@@ -44,6 +45,24 @@ struct vpFillTarget
 template <bool WithTriangle>
 void vpFillTriangle(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c, int index,
                     const vpFillTarget &target);
+
+//! True where the corners go clockwise around what is seen, row by row from above.
+inline bool isFromBehind(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c)
+{
+  return std::int64_t(b.x - a.x) * (c.y - a.y) > std::int64_t(c.x - a.x) * (b.y - a.y);
+}
+
+//! True where no pixel's centre is in the box around the corners: most triangles of a fine mesh.
+inline bool isBetweenPixels(const vpScreenVertex &a, const vpScreenVertex &b, const vpScreenVertex &c)
+{
+  const auto misses = [](std::int32_t p, std::int32_t q, std::int32_t r) {
+    const std::int32_t least = std::min(std::min(p, q), r);
+    const std::int32_t most = std::max(std::max(p, q), r);
+    return (least + vpScreenVertex::subPixels - 1) >> vpScreenVertex::subPixelBits > most >>
+           vpScreenVertex::subPixelBits;
+  };
+  return misses(a.x, b.x, c.x) || misses(a.y, b.y, c.y);
+}
 
 inline vpScreenVertex::vpScreenVertex(double column, double row, double inverseDepth) : inverse(inverseDepth)
 {

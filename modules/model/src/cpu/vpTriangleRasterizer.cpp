@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "vpTriangleRasterizer.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,6 +40,21 @@ template <class Function> Polygon cut(const Polygon &polygon, const Function &si
   return kept;
 }
 
+//! True where the corners go counterclockwise around the normals, of a face whose back is never seen.
+bool hasBack(const vpTrackedModel &model, const vpModelTriangle &triangle)
+{
+  const vpModelFace &face = model.faces()[static_cast<std::size_t>(triangle.face)];
+  if (!face.oriented) {
+    return false;
+  }
+  const auto corner = [&](std::size_t k) { return model.vertices()[static_cast<std::size_t>(triangle.vertex[k])]; };
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const int index : triangle.normal) {
+    normal += index < 0 ? face.normal : model.normals()[static_cast<std::size_t>(index)];
+  }
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(normal) > 0.;
+}
+
 //! Cuts away what is before the near plane, and what is so far outside the crop that integers would overflow.
 Polygon clip(Polygon polygon, double nearDistance)
 {
@@ -55,8 +72,10 @@ vpTriangleRasterizer::vpTriangleRasterizer(const vpTrackedModel &model)
     : m_positions(model.vertices()), m_vertices(model.vertices().size())
 {
   m_triangles.reserve(model.triangles().size());
+  m_hasBack.reserve(model.triangles().size());
   for (const vpModelTriangle &triangle : model.triangles()) {
     m_triangles.push_back(triangle.vertex);
+    m_hasBack.push_back(model.report().closed && hasBack(model, triangle) ? 1 : 0);
   }
 }
 
@@ -77,8 +96,11 @@ void vpTriangleRasterizer::draw(const vpHomogeneousMatrix &cMo, const vpCropCame
   intrinsics << camera.fx, 0., camera.cx, 0., camera.fy, camera.cy, 0., 0., 1.;
   m_projection = intrinsics * vpToPoseMatrix(cMo);
   m_near = nearDistance;
+  m_isWhole = true;
   for (std::size_t i = 0; i < m_positions.size(); ++i) {
-    m_vertices[i] = project(vpTransform(m_projection, m_positions[i]));
+    const Eigen::Vector3d image = vpTransform(m_projection, m_positions[i]);
+    m_isWhole = m_isWhole && image.z() >= nearDistance;
+    m_vertices[i] = project(image);
   }
   if (target.triangle) {
     drawAll<true>(target);
@@ -94,7 +116,13 @@ template <bool WithTriangle> void vpTriangleRasterizer::drawAll(const vpFillTarg
     const Vertex &a = m_vertices[static_cast<std::size_t>(corners[0])];
     const Vertex &b = m_vertices[static_cast<std::size_t>(corners[1])];
     const Vertex &c = m_vertices[static_cast<std::size_t>(corners[2])];
+    if (m_isWhole && m_hasBack[i] != 0 && isFromBehind(a.screen, b.screen, c.screen)) {
+      continue;
+    }
     if (a.drawable && b.drawable && c.drawable) {
+      if (isBetweenPixels(a.screen, b.screen, c.screen)) {
+        continue;
+      }
       vpFillTriangle<WithTriangle>(a.screen, b.screen, c.screen, static_cast<int>(i), target);
     } else {
       drawClipped<WithTriangle>(corners, static_cast<int>(i), target);

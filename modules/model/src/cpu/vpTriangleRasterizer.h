@@ -12,7 +12,8 @@ BEGIN_VISP_NAMESPACE
 
 /*!
   Projects a model and draws its triangles into a buffer of inverse depths, and of triangle indices where they are asked
-  for. Every vertex is projected once, into memory that is used again.
+  for. Every vertex is projected once, into memory that is used again. Of a closed surface the triangles that are seen
+  from behind are left out, half of them: there is always one in front, which covers the same pixel.
 */
 class vpTriangleRasterizer
 {
@@ -38,7 +39,9 @@ private:
 
   std::vector<Eigen::Vector3d> m_positions;
   std::vector<Corners> m_triangles;
+  std::vector<char> m_hasBack; //!< Of each triangle: 1 where its back is inside a closed surface.
   std::vector<Vertex> m_vertices;
+  bool m_isWhole = false;                           //!< Nothing is before the near plane.
   vpPoseMatrix m_projection = vpPoseMatrix::Zero(); //!< Object point to (depth x column, depth x row, depth).
   double m_near = 0.;
 };

@@ -123,13 +123,13 @@ std::size_t vpViewSphere::nearest(const Eigen::Vector3d &fromCentre, unsigned in
   return m_directions->nearest(fromCentre, level);
 }
 
-std::size_t vpViewSphere::nearest(const vpHomogeneousMatrix &cMo) const
+std::size_t vpViewSphere::nearest(const vpHomogeneousMatrix &cMo, unsigned int level) const
 {
   const double *m = cMo.data; // Faster than its operators, which are no inline functions.
   const Eigen::Vector3d cameraInObject(-(m[0] * m[3] + m[4] * m[7] + m[8] * m[11]),
                                        -(m[1] * m[3] + m[5] * m[7] + m[9] * m[11]),
                                        -(m[2] * m[3] + m[6] * m[7] + m[10] * m[11]));
-  return m_directions->nearest(cameraInObject - model().centre(), m_options.level);
+  return nearest(cameraInObject - model().centre(), level);
 }
 
 bool vpViewSphere::isMade(std::size_t i) const

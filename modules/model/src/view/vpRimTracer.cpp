@@ -63,14 +63,15 @@ std::size_t vpRimTracer::otherSide(std::size_t triangle, std::size_t side) const
   return crosses(triangle, (side + 1) % 3) ? (side + 1) % 3 : (side + 2) % 3;
 }
 
-bool vpRimTracer::advance(Step &step) const
+// entry: the side by which the next triangle is entered.
+bool vpRimTracer::advance(Step &step, std::size_t &entry) const
 {
   const int next = m_topology.neighbours()[step.triangle][step.side];
   if (next < 0) {
     return false;
   }
   const std::array<int, 3> &back = m_topology.neighbours()[static_cast<std::size_t>(next)];
-  std::size_t entry = 0;
+  entry = 0;
   while (back[entry] != static_cast<int>(step.triangle) || !crosses(static_cast<std::size_t>(next), entry)) {
     if (++entry == 3) {
       return false;
@@ -97,27 +98,34 @@ void vpRimTracer::traceFrom(std::size_t triangle, vpContourSampler &sampler)
 {
   // Back to where the curve begins, or once around a closed one.
   Step step{triangle, crosses(triangle, 0) ? 0U : 1U};
-  for (Step probe = step; advance(probe) && probe.triangle != triangle;) {
+  std::size_t entry = 0;
+  for (Step probe = step; advance(probe, entry) && probe.triangle != triangle;) {
     step = probe;
   }
   std::vector<char> &visited = m_view.m_visited;
   vpModelView::Piece piece;
   piece.parameter = {{0., 1.}};
   piece.slides = true;
-  setEnd(piece, step.triangle, step.side);
+  std::size_t from = step.side;
   step.side = otherSide(step.triangle, step.side);
+  bool isAtEnd = false; // The piece's end is where this triangle's bit begins.
   do {
     visited[step.triangle] = 1;
-    piece.position[0] = piece.position[1];
-    piece.direction[0] = piece.direction[1];
-    piece.outward[0] = piece.outward[1];
-    setEnd(piece, step.triangle, step.side);
     if (isConvexRim(step.triangle)) {
+      if (!isAtEnd) {
+        setEnd(piece, step.triangle, from);
+      }
+      piece.position[0] = piece.position[1];
+      piece.direction[0] = piece.direction[1];
+      piece.outward[0] = piece.outward[1];
+      setEnd(piece, step.triangle, step.side);
       sampler.add(piece);
+      isAtEnd = true;
     } else {
       sampler.interrupt();
+      isAtEnd = false;
     }
-  } while (advance(step) && !visited[step.triangle]);
+  } while (advance(step, from) && !visited[step.triangle]);
   sampler.sample(false);
 }
 

@@ -34,7 +34,7 @@ private:
   std::size_t nextRim(std::size_t triangle) const;
   void traceFrom(std::size_t triangle, vpContourSampler &sampler);
   std::size_t otherSide(std::size_t triangle, std::size_t side) const;
-  bool advance(Step &step) const;
+  bool advance(Step &step, std::size_t &entry) const;
   bool isConvexRim(std::size_t triangle) const;
   //! Sets the second end of a piece to where the rim crosses a side.
   void setEnd(vpModelView::Piece &piece, std::size_t triangle, std::size_t side) const;

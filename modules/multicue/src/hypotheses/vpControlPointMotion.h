@@ -28,6 +28,18 @@ public:
     });
   }
 
+  //! Between two poses, less the motion of the middle of the object's box.
+  static double aroundMiddle(const vpModelView &view, const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo,
+                             const vpCameraParameters &cam)
+  {
+    vpControlPoint middle;
+    middle.position = view.model().centre();
+    const Eigen::Vector2d moved = project(middle, c1Mo, cam) - project(middle, c2Mo, cam);
+    return average(view, [&](const vpControlPoint &point) -> Eigen::Vector2d {
+      return project(point, c1Mo, cam) - project(point, c2Mo, cam) - moved;
+    });
+  }
+
 private:
   template <typename Motion> static double average(const vpModelView &view, const Motion &motion)
   {

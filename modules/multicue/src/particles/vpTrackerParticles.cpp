@@ -50,6 +50,8 @@ void vpTrackerParticles::clear()
   m_spread = 1.;
   rivals.clear();
   followedMotion.eye();
+  isCalm = false;
+  before = Before();
   blindFrames = 0;
   draws = firstDraw;
   frame = 0;
@@ -168,7 +170,7 @@ bool vpTrackerParticles::reach(const vpHomogeneousMatrix &cMb, double diameter) 
 }
 
 std::vector<std::size_t> vpTrackerParticles::best(const std::vector<double> &distances, const vpHomogeneousMatrix &cMb,
-                                                  double diameter) const
+                                                  double diameter, unsigned int most) const
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -186,7 +188,7 @@ std::vector<std::size_t> vpTrackerParticles::best(const std::vector<double> &dis
   const double range = distances[order.back()] - least;
   const double needed = m_settings.bestShare > 0. ? std::log(m_settings.bestShare) : nothing;
   for (const std::size_t i : order) {
-    if (chosen.size() == m_settings.mostOptimised || likelihood(distances[i], least, range) < needed) {
+    if (chosen.size() == most || likelihood(distances[i], least, range) < needed) {
       break;
     }
     const vpHomogeneousMatrix &pose = m_filter.pose(i);

@@ -47,9 +47,9 @@ public:
   bool weigh(const std::vector<double> &logs, const std::vector<vpHomogeneousMatrix> &proposals,
              const std::vector<double> &proposalLogs);
   void findModes(double diameter);
-  // The particles that are worth to be optimised, the best first, none near another one or to cMb.
-  std::vector<std::size_t> best(const std::vector<double> &distances, const vpHomogeneousMatrix &cMb,
-                                double diameter) const;
+  // The particles that are worth to be optimised, the best first, none near another one or to cMb, at most as many.
+  std::vector<std::size_t> best(const std::vector<double> &distances, const vpHomogeneousMatrix &cMb, double diameter,
+                                unsigned int most) const;
   // Squared, 1 is the width of a mode.
   double distance(const vpHomogeneousMatrix &c1Mb, const vpHomogeneousMatrix &c2Mb, double diameter) const;
   // True where one of the predicted ones is near a pose.
@@ -75,8 +75,19 @@ public:
   vpHomogeneousMatrix followed;           // Last pose of the object.
   vpHomogeneousMatrix followedMotion;     // To it, from the one before.
   vpHomogeneousMatrix explained;          // Last pose that the image showed well.
-  unsigned int blindFrames = 0;           // On end, without a pose that explains the image.
-  std::uint64_t draws = 0;                // As the tracker's.
+  bool isCalm = false;                    // The last frame was explained, and by no rival better.
+  // What a frame started from.
+  struct Before
+  {
+    bool isCalm = false;
+    std::uint64_t draws = 0;         // Of the tracker.
+    std::uint64_t particleDraws = 0; // See draws.
+    vpHomogeneousMatrix cMo;
+    std::vector<vpRivalPose> rivals; // While it is calm.
+  };
+  Before before;
+  unsigned int blindFrames = 0; // On end, without a pose that explains the image.
+  std::uint64_t draws = 0;      // As the tracker's.
   unsigned int minimisations = 0;
   unsigned long long frame = 0; // The last one that they have seen.
   bool isDisplayed = false;

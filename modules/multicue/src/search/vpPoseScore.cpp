@@ -93,7 +93,7 @@ void vpPoseScore::combine(const Sums &sums, const vpHomogeneousMatrix &cMo, Valu
   value.total = weight > 0. ? total / weight - outsideCost * (1. - value.inside) : 0.;
 }
 
-vpPoseScore::Value vpPoseScore::operator()(const vpHomogeneousMatrix &cMo) const
+vpPoseScore::Value vpPoseScore::at(const vpHomogeneousMatrix &cMo, unsigned int level) const
 {
   Value value;
   const double *m = cMo.data; // Its operators are no inline functions.
@@ -103,7 +103,7 @@ vpPoseScore::Value vpPoseScore::operator()(const vpHomogeneousMatrix &cMo) const
   if (!(depth > 0.)) {
     return value;
   }
-  const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo));
+  const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo, level));
   if (view.size() == 0) {
     return value;
   }

@@ -46,7 +46,9 @@ public:
                 const vpCameraParameters &cam, unsigned int width, unsigned int height);
   // How much each part counts in the total.
   void setWeights(double edges, double color, double surface) { m_weights = {{edges, color, surface}}; }
-  Value operator()(const vpHomogeneousMatrix &cMo) const;
+  Value operator()(const vpHomogeneousMatrix &cMo) const { return at(cMo, m_sphere->options().level); }
+  // level: of the sphere whose views are looked at. A coarser one has fewer to be made.
+  Value at(const vpHomogeneousMatrix &cMo, unsigned int level) const;
 
 private:
   struct Sums;

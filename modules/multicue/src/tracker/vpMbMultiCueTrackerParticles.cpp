@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "hypotheses/vpControlPointMotion.h"
 #include "tracker/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
@@ -11,14 +10,26 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// Draws that are minimised from one particle.
-const unsigned int drawsEach = 2;
-// Control points of their views are as many times farther apart.
-const double coarseness = 2.;
 // Room around the particles for what is optimised, shares of their size in the image.
 const double regionMargin = 0.1;
-// What hides what changes little for poses that move the control points by less than this, pixels.
-const double sameDepth = 2.5;
+// Levels of the view sphere. Where a view needs a depth buffer the finest ones would be more than a frame has time for:
+// what hides what changes little between neighbours, and rims hardly move. Of the usual ones as many are made in a
+// frame as here, and a coarser view stands in for the others.
+const unsigned int usualLevel = 3;
+const unsigned int coarseLevel = 2;
+const unsigned int mostMade = 1;
+
+void makeViews(const vpPoseParticleFilter &particles, const vpHomogeneousMatrix &bMo, vpViewSphere &sphere)
+{
+  unsigned int made = 0;
+  for (std::size_t i = 0; i < particles.size() && made < mostMade; ++i) {
+    const std::size_t view = sphere.nearest(particles.pose(i) * bMo, usualLevel);
+    if (!sphere.isMade(view)) {
+      sphere.make(view);
+      ++made;
+    }
+  }
+}
 
 // Widens a region to the object's sphere at a pose.
 void include(const Eigen::Vector3d &centre, double radius, const vpCameraParameters &cam, Eigen::Array2d &low,
@@ -140,21 +151,18 @@ void vpMbMultiCueTracker::lookAround(const vpCueFrame &frame)
   impl.scoreRegion(frame, particleRegion(frame));
   {
     const vpStopwatch stage(impl.timings.particles);
+    if (!impl.model->isConvex()) {
+      makeViews(particles.filter(), impl.centreFrame().inverse(), impl.viewSphere());
+    }
     particles.values.clear();
     for (std::size_t i = 0; i < particles.filter().size(); ++i) {
       particles.values.push_back(distanceAt(particles.filter().pose(i)));
     }
   }
-  // The estimation from the pose before has random numbers and minimisations of its own, and does the same as without
-  // particles.
-  const vpHomogeneousMatrix cMo = m_cMo;
-  std::swap(impl.draws, particles.draws);
-  optimiseParticles(frame);
-  optimiseRivals(frame);
-  std::swap(impl.draws, particles.draws);
-  particles.minimisations = impl.minimisations;
-  impl.minimisations = 0;
-  m_cMo = cMo;
+  const bool isCalm = particles.isCalm && !impl.rough.hasHint;
+  particles.before = {isCalm, impl.draws, particles.draws, m_cMo,
+                      isCalm ? particles.rivals : std::vector<vpRivalPose>()};
+  optimiseAround(frame);
 }
 
 // The weights of [T10] III-E, and what they say of the pose.
@@ -162,6 +170,9 @@ void vpMbMultiCueTracker::weighParticles(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   vpTrackerParticles &particles = impl.particles;
+  if (particles.before.isCalm && !impl.explains(impl.bestResidue())) {
+    lookAgain(frame);
+  }
   impl.minimisations += particles.minimisations;
   compareRivals(frame);
   const vpStopwatch stage(impl.timings.particles);
@@ -195,54 +206,12 @@ void vpMbMultiCueTracker::takeParticleMean()
 // [T10] eq. 11.
 double vpMbMultiCueTracker::distanceAt(const vpHomogeneousMatrix &cMb) const
 {
-  const vpPoseScore::Value value = m_impl->poseScore(cMb * m_impl->centreFrame().inverse());
+  const vpHomogeneousMatrix cMo = cMb * m_impl->centreFrame().inverse();
+  vpViewSphere &sphere = m_impl->viewSphere();
+  const bool isMade = m_impl->model->isConvex() || sphere.isMade(sphere.nearest(cMo, usualLevel));
+  const unsigned int level = m_impl->model->isConvex() ? sphere.options().level : usualLevel;
+  const vpPoseScore::Value value = m_impl->poseScore.at(cMo, isMade ? level : coarseLevel);
   return value.isSeen ? value.distance : vpTrackerParticles::impossible;
-}
-
-// Optimised particles need no more than half of the control points: what comes of them is estimated again with all.
-void vpMbMultiCueTracker::viewCoarsely(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
-{
-  Impl &impl = *m_impl;
-  const vpStopwatch stage(impl.timings.view);
-  vpModelView &view = *impl.view;
-  const bool keepsDepth = impl.viewedFrame == frame.number() && !view.points().empty() &&
-                          vpControlPointMotion::between(view, view.depthPose(), cMo, frame.camera()) < sameDepth;
-  vpModelViewOptions options = viewOptions();
-  options.sampleStep *= coarseness;
-  view.compute(cMo, frame.camera(), frame.width(), frame.height(), options, impl.renderer.get(), keepsDepth);
-  impl.viewedFrame = frame.number();
-}
-
-// What pose hypotheses make of the best particles.
-void vpMbMultiCueTracker::optimiseParticles(const vpCueFrame &frame)
-{
-  Impl &impl = *m_impl;
-  vpTrackerParticles &particles = impl.particles;
-  const vpHomogeneousMatrix oMb = impl.centreFrame();
-  const std::vector<std::size_t> best = particles.best(particles.values, m_cMo * oMb, impl.model->diameter());
-  particles.proposals.clear();
-  particles.residues.clear();
-  impl.restrictHypotheses(oJo);
-  for (const std::size_t i : best) {
-    m_cMo = particles.filter().pose(i) * oMb.inverse();
-    viewCoarsely(frame, m_cMo);
-    {
-      const vpStopwatch stage(impl.timings.match);
-      impl.edges.match(frame, *impl.view);
-    }
-    if (findPoses(drawsEach, HUGE_VAL)) {
-      takeHypotheses();
-    }
-  }
-}
-
-void vpMbMultiCueTracker::takeHypotheses()
-{
-  Impl &impl = *m_impl;
-  for (const vpPoseHypothesis &hypothesis : impl.hypotheses.hypotheses()) {
-    impl.particles.proposals.push_back(hypothesis.cMo * impl.centreFrame());
-    impl.particles.residues.push_back(hypothesis.residue);
-  }
 }
 
 // With several cues: particles follow what was estimated, and tell what else the image allows.

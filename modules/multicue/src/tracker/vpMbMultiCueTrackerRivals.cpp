@@ -15,8 +15,12 @@ namespace {
 // Poses that are followed beside the object's, and new ones that are looked at with all control points in a frame.
 const std::size_t mostRivals = 3;
 const std::size_t mostNew = 2;
+// While the pose explains the image a motion less than this needs no rival ahead, squared, in widths of a mode.
+const double calmMotion = 0.25;
 // Draws that are minimised from each.
 const unsigned int drawsEach = 2;
+// What hides what changes little for poses that move the control points by less than this about the object, pixels.
+const double sameDepth = 2.5;
 // A match serves poses that move its control points by less than this, pixels.
 const double nearMotion = 1.5;
 // Squared residues are compared in those of a pose that explains the image; one frame tells no more than this, and
@@ -91,7 +95,7 @@ void vpMbMultiCueTracker::optimiseRivals(const vpCueFrame &frame)
     return isNew;
   };
   const vpHomogeneousMatrix ahead = particles.followed * particles.followedMotion;
-  if (particles.distance(ahead, particles.followed, diameter) > 0.) {
+  if (particles.distance(ahead, particles.followed, diameter) > (particles.before.isCalm ? calmMotion : 0.)) {
     add(ahead);
   }
   for (const vpHomogeneousMatrix &cMb : particles.found) {
@@ -103,7 +107,11 @@ void vpMbMultiCueTracker::optimiseRivals(const vpCueFrame &frame)
   }
   for (vpRivalPose &rival : rivals) {
     m_cMo = rival.cMb * oMb.inverse();
-    match(frame, m_cMo);
+    computeView(frame, m_cMo, servesDepth(frame, m_cMo, sameDepth));
+    {
+      const vpStopwatch stage(impl.timings.match);
+      impl.edges.match(frame, *impl.view);
+    }
     if (!findPoses(drawsEach, HUGE_VAL)) {
       rival.residue = HUGE_VAL;
       continue;
@@ -156,6 +164,7 @@ void vpMbMultiCueTracker::compareRivals(const vpCueFrame &frame)
     takeRival(frame, kept.front().cMb, true);
   }
   const bool isBlind = least > unexplained * explained;
+  particles.isCalm = impl.state == vpTrackingState::TRACKING && residue <= explained && least >= residue;
   particles.blindFrames = isBlind ? particles.blindFrames + 1 : 0;
   const vpHomogeneousMatrix now = m_cMo * impl.centreFrame();
   particles.followedMotion = particles.followed.inverse() * now;

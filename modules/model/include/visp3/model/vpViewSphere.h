@@ -80,7 +80,9 @@ public:
   //! The nearest one of a coarser level. \throw vpException where the sphere does not have this level.
   std::size_t nearest(const Eigen::Vector3d &fromCentre, unsigned int level) const;
   //! The direction from which a camera sees the object.
-  std::size_t nearest(const vpHomogeneousMatrix &cMo) const;
+  std::size_t nearest(const vpHomogeneousMatrix &cMo) const { return nearest(cMo, m_options.level); }
+  //! That of a coarser level. \throw vpException where the sphere does not have this level.
+  std::size_t nearest(const vpHomogeneousMatrix &cMo, unsigned int level) const;
   //! @}
 
   //! \name Views

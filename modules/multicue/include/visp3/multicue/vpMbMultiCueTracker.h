@@ -431,7 +431,10 @@ private:
   void searchRivals(const vpCueFrame &frame);
   void compareRivals(const vpCueFrame &frame);
   void takeRival(const vpCueFrame &frame, const vpHomogeneousMatrix &cMb, bool isOld);
+  void optimiseAround(const vpCueFrame &frame);
+  void lookAgain(const vpCueFrame &frame);
   void optimiseParticles(const vpCueFrame &frame);
+  bool servesDepth(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double most) const;
   void viewCoarsely(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   void takeHypotheses();
   void takeParticleMean();

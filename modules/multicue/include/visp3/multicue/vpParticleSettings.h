@@ -55,7 +55,7 @@ struct VISP_EXPORT vpParticleSettings
                                   //!< about 1 for a right pose and 0 by chance, see \ref multicue_particles.
   double bestShare = 0.01;        //!< Share of the best likelihood from which on particles are optimised, [0, 1].
   unsigned int mostOptimised = 8; //!< Most particles that are optimised in a frame, [0, 100]; beside them, the pose
-                                  //!< before always is.
+                                  //!< before always is. While that explains the image no more than two are.
   Output output = BEST_MODE;      //!< The pose that they give.
   double modeTranslation = 0.06;  //!< How far apart particles of one mode may be, diameters, (0, 10].
   double modeRotation = 0.15;     //!< Likewise, radians, (0, 3].
