@@ -51,6 +51,7 @@ void vpTrackerParticles::clear()
   rivals.clear();
   followedMotion.eye();
   isCalm = false;
+  isViewed.clear();
   before = Before();
   blindFrames = 0;
   draws = firstDraw;

@@ -86,6 +86,7 @@ public:
     std::vector<vpRivalPose> rivals; // While it is calm.
   };
   Before before;
+  std::vector<char> isViewed;   // Of the view sphere: 1 where a view was made for them since the start.
   unsigned int blindFrames = 0; // On end, without a pose that explains the image.
   std::uint64_t draws = 0;      // As the tracker's.
   unsigned int minimisations = 0;

@@ -19,13 +19,16 @@ const unsigned int usualLevel = 3;
 const unsigned int coarseLevel = 2;
 const unsigned int mostMade = 1;
 
-void makeViews(const vpPoseParticleFilter &particles, const vpHomogeneousMatrix &bMo, vpViewSphere &sphere)
+// Those that were made before the start count as new ones: the same images give the same poses.
+void makeViews(vpTrackerParticles &particles, const vpHomogeneousMatrix &bMo, vpViewSphere &sphere)
 {
+  particles.isViewed.resize(sphere.size(), 0);
   unsigned int made = 0;
-  for (std::size_t i = 0; i < particles.size() && made < mostMade; ++i) {
-    const std::size_t view = sphere.nearest(particles.pose(i) * bMo, usualLevel);
-    if (!sphere.isMade(view)) {
+  for (std::size_t i = 0; i < particles.filter().size() && made < mostMade; ++i) {
+    const std::size_t view = sphere.nearest(particles.filter().pose(i) * bMo, usualLevel);
+    if (particles.isViewed[view] == 0) {
       sphere.make(view);
+      particles.isViewed[view] = 1;
       ++made;
     }
   }
@@ -152,7 +155,7 @@ void vpMbMultiCueTracker::lookAround(const vpCueFrame &frame)
   {
     const vpStopwatch stage(impl.timings.particles);
     if (!impl.model->isConvex()) {
-      makeViews(particles.filter(), impl.centreFrame().inverse(), impl.viewSphere());
+      makeViews(particles, impl.centreFrame().inverse(), impl.viewSphere());
     }
     particles.values.clear();
     for (std::size_t i = 0; i < particles.filter().size(); ++i) {
@@ -208,9 +211,13 @@ double vpMbMultiCueTracker::distanceAt(const vpHomogeneousMatrix &cMb) const
 {
   const vpHomogeneousMatrix cMo = cMb * m_impl->centreFrame().inverse();
   vpViewSphere &sphere = m_impl->viewSphere();
-  const bool isMade = m_impl->model->isConvex() || sphere.isMade(sphere.nearest(cMo, usualLevel));
-  const unsigned int level = m_impl->model->isConvex() ? sphere.options().level : usualLevel;
-  const vpPoseScore::Value value = m_impl->poseScore.at(cMo, isMade ? level : coarseLevel);
+  unsigned int level = sphere.options().level;
+  if (!m_impl->model->isConvex()) {
+    const std::size_t view = sphere.nearest(cMo, usualLevel);
+    const std::vector<char> &isViewed = m_impl->particles.isViewed;
+    level = view < isViewed.size() && isViewed[view] != 0 ? usualLevel : coarseLevel;
+  }
+  const vpPoseScore::Value value = m_impl->poseScore.at(cMo, level);
   return value.isSeen ? value.distance : vpTrackerParticles::impossible;
 }
 

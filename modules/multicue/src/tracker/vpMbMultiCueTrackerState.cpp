@@ -21,7 +21,7 @@ const unsigned int fewFrames = 60;
 const double confirming = 0.75;     // Share of what is usually explained.
 const double insideToConfirm = 0.4; // Share of the outline that is in the image.
 const double leastInside = 0.3;
-const double trustedBelief = 0.6;
+const double trustedBelief = 0.7;
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
 } // namespace

@@ -24,8 +24,7 @@ const double lossFactor = 0.5;
 
 void vpPoseBelief::update(double jump, double explained)
 {
-  const double squared = jump * jump;
-  const double jumped = squared / (unsurprising * unsurprising + squared);
+  const double jumped = jump / (unsurprising + jump);
   const double followed = staysRight * m_probability + becomesRight * (1. - m_probability);
   const double before = (1. - jumped) * followed + jumped * rightAfterJump;
   const double odds = before / (1. - before) * std::exp(gain * (std::min(explained, mostExplained) - middle));

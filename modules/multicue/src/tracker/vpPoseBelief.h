@@ -14,7 +14,7 @@ BEGIN_VISP_NAMESPACE
   several images.
 
   Prediction, with the probability p of the frame before and a jump of s squared deviations:
-  \f[ p^- = (1 - J) (a p + b (1 - p)) + J c,  J = s^2 / (4 + s^2) \f]
+  \f[ p^- = (1 - J) (a p + b (1 - p)) + J c,  J = s / (2 + s) \f]
   Correction by the share e that the pose explains of what right ones do:
   \f[ \frac{p}{1 - p} = \frac{p^-}{1 - p^-} \exp(k (e - e_0)) \f]
   k is far below what single images would give, since those on end are alike.

@@ -238,7 +238,7 @@ public:
     Looks for a lost object in all of the image and turned any way, see \ref multicue_search; with several cues, best
     with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
     confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
-    takes ten to thirty times as long as others, 50 to 120 ms with 320 x 240 pixels on one core of a shared server. Off
+    takes ten to thirty times as long as others, 50 to 170 ms with 640 x 480 pixels on one core of a shared server. Off
     by default; with edges alone, only starts that were refused and poses of a detector are looked for.
     \param flag On or off; may change between frames, and init() begins anew.
   */
