@@ -175,12 +175,14 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.usesPoints = false;
-  if (impl.followsLast) { // What hides the object misleads colours and points.
+  if (impl.state != vpTrackingState::LOST) { // What hides the object misleads colours and points.
     m_cMo = impl.expectedPose;
-    if (takeAttempt(refineFused(frame))) {
+    impl.followsLast = true;
+    const bool isEnough = takeAttempt(refineFused(frame));
+    impl.followsLast = false;
+    if (isEnough) {
       return;
     }
-    impl.followsLast = false;
   }
   if (!tryKeyframes(frame, false)) {
     searchEverywhere(frame);
@@ -199,6 +201,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   estimateCoarse(frame);
   impl.followsLast = impl.state != vpTrackingState::LOST;
   bool isEnough = takeAttempt(refineFused(frame));
+  impl.followsLast = false;
   if (impl.rough.hasHint) {
     isEnough = tryHint(frame) || isEnough;
   }

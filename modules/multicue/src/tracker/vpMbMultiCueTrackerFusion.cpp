@@ -28,6 +28,7 @@ const double mostMotion = 0.15;
 // In standard deviations of how far it was from there in the frames before.
 const double motionFactor = 2.;
 const double motionRate = 0.2;
+// What is no surprise any more: as many times what was off, at least this share of the most, and how fast it falls.
 const double farFactor = 3.;
 const double leastFarShare = 0.25;
 const double farRate = 0.1;
