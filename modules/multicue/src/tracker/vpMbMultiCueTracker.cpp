@@ -18,10 +18,10 @@ namespace {
 // When the pose moved the control points by more than this, normals and neighbourhoods have changed: match again.
 const double rematchMotion = 1.5; // Pixels.
 const unsigned int maxMatches = 3;
-// What hides what changes little for poses that move the control points by less than this, pixels.
 // Of a pose that is followed but not trusted: the filter takes its covariance times this.
 const double doubtOfMotion = 10.;
 const double mostOfMotion = 4.; // Squared distance from the expected pose, in deviations; beyond it, it jumped.
+// What hides what changes little for poses that move the control points by less than this, pixels.
 const double sameDepth = 2.5;
 
 // A pose that moved its control points by more than this many search ranges in one match has diverged.
@@ -189,8 +189,7 @@ void vpMbMultiCueTracker::followDoubtful()
   if (impl.surpriseAt(m_cMo) < mostOfMotion) {
     updateMotion(doubtOfMotion);
   } else if (impl.predicts) {
-    impl.kalman.reset();
-    impl.sinceUpdate = 0.;
+    impl.forgetMotion();
   }
 }
 
@@ -234,6 +233,11 @@ void vpMbMultiCueTracker::updateView(const vpCueFrame &frame, const vpHomogeneou
 void vpMbMultiCueTracker::match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
 {
   computeView(frame, cMo);
+  matchView(frame);
+}
+
+void vpMbMultiCueTracker::matchView(const vpCueFrame &frame)
+{
   const vpStopwatch stage(m_impl->timings.match);
   m_impl->edges.match(frame, *m_impl->view);
 }

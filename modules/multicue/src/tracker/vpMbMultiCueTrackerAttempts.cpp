@@ -63,18 +63,14 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     // The pose of the frame before, followed to this one, has explained two images, or more.
     value += impl.followsLast ? followedBonus + believedBonus * impl.belief.probability() : 0.;
   }
-  impl.bestIsLast = estimated && value > impl.bestValue;
+  impl.bestIsLast = estimated && value > impl.best.value;
   if (impl.bestIsLast) {
-    impl.bestValue = value;
-    impl.bestExplained = share;
-    impl.bestShare = impl.share;
-    impl.bestPose = m_cMo;
-    impl.bestUsesPoints = impl.usesPoints;
+    impl.best = {m_cMo, share, value, impl.share, impl.usesPoints};
   }
   if (impl.mustConfirm) {
-    return impl.bestExplained >= wellExplained && impl.bestIsLast && isDecisive();
+    return impl.best.explained >= wellExplained && impl.bestIsLast && isDecisive();
   }
-  return std::min(impl.bestExplained, impl.bestValue + toleratedPenalty) >= wellExplained;
+  return std::min(impl.best.explained, impl.best.value + toleratedPenalty) >= wellExplained;
 }
 
 // The image shows something else than what is remembered of the surface.
@@ -119,7 +115,7 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
   }
   if (impl.searches) {
     searchNear(frame);
-  } else if (impl.bestExplained < badlyExplained) {
+  } else if (impl.best.explained < badlyExplained) {
     tryTurns(frame);
   }
 }
@@ -193,9 +189,8 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.attempted.clear();
-  impl.bestExplained = -1.;
+  impl.best = Impl::Attempt();
   impl.mostAgreeing = 0;
-  impl.bestValue = -2.;
   impl.recallLearnt();
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
@@ -213,12 +208,12 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   } else if (!isEnough) {
     tryOthers(frame);
   }
-  if (impl.bestExplained < 0.) {
+  if (impl.best.explained < 0.) {
     return false;
   }
   if (!impl.bestIsLast) {
-    m_cMo = impl.bestPose;
-    impl.usesPoints = impl.bestUsesPoints;
+    m_cMo = impl.best.cMo;
+    impl.usesPoints = impl.best.usesPoints;
     if (!refineFused(frame)) {
       return false;
     }

@@ -126,29 +126,20 @@ bool vpMbMultiCueTracker::tryHint(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   const vpHomogeneousMatrix expected = impl.expectedPose;
-  const vpHomogeneousMatrix poseBefore = impl.bestPose;
-  const double shareBefore = impl.bestExplained;
-  const double valueBefore = impl.bestValue;
-  const Impl::Share sharesBefore = impl.bestShare;
-  const bool pointsBefore = impl.bestUsesPoints;
+  const Impl::Attempt before = impl.best;
   impl.usesPoints = false;
   bool isEnough = false;
   for (const vpHomogeneousMatrix &start : hintStarts(frame)) {
     impl.expectedPose = start;
     isEnough = attemptFrom(frame, start);
   }
-  if (impl.bestValue > valueBefore + leastGain) {
-    impl.expectedPose = impl.bestPose; // That it moved so far is no surprise.
-    impl.kalman.reset();
-    impl.sinceUpdate = 0.;
+  if (impl.best.value > before.value + leastGain) {
+    impl.expectedPose = impl.best.cMo; // That it moved so far is no surprise.
+    impl.forgetMotion();
     return isEnough;
   }
   impl.expectedPose = expected;
-  impl.bestPose = poseBefore;
-  impl.bestExplained = shareBefore;
-  impl.bestShare = sharesBefore;
-  impl.bestValue = valueBefore;
-  impl.bestUsesPoints = pointsBefore;
+  impl.best = before;
   impl.bestIsLast = false;
   return false;
 }
@@ -164,20 +155,21 @@ void vpMbMultiCueTracker::compareHint(const vpCueFrame &frame)
   const double before = isLost ? 0. : search(m_cMo).total;
   const auto references = impl.edges;
   double best = before + leastGain;
+  vpHomogeneousMatrix taken;
   bool isTaken = false;
   for (const vpHomogeneousMatrix &start : hintStarts(frame)) {
     m_cMo = start;
     impl.edges.reset();
-    if (estimateFrom(frame, false) && search(m_cMo).total > best) {
-      best = search(m_cMo).total + leastGain; // The hint itself comes first, and is likelier than those about it.
-      impl.bestPose = m_cMo;
+    const double value = estimateFrom(frame, false) ? search(m_cMo).total : -HUGE_VAL;
+    if (value > best) {
+      best = value + leastGain; // The hint itself comes first, and is likelier than those about it.
+      taken = m_cMo;
       isTaken = true;
     }
   }
   if (isTaken) {
-    m_cMo = impl.bestPose;
-    impl.kalman.reset();
-    impl.sinceUpdate = 0.;
+    m_cMo = taken;
+    impl.forgetMotion();
   } else {
     m_cMo = tracked;
     impl.edges = references;

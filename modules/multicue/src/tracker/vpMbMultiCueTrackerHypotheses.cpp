@@ -24,8 +24,6 @@ const double leastWeight = 0.02;
 const std::size_t maxFinalists = 3;
 // A match serves poses that move its control points by less than this.
 const double nearMotion = 1.5; // Pixels.
-// What hides what changes little for poses that move the control points by less than this about the object's middle.
-const double sameDepth = 2.5; // Pixels.
 // Matches for a pose that a longer reach led to.
 const unsigned int maxRefinements = 2;
 } // namespace
@@ -142,11 +140,7 @@ bool vpMbMultiCueTracker::refineHypothesis(const vpCueFrame &frame, std::size_t 
   const vpHomogeneousMatrix &cMo = impl.hypotheses.hypotheses()[index].cMo;
   bool serves = false;
   for (unsigned int i = 0; i < most && !serves; ++i) {
-    computeView(frame, cMo, servesDepth(frame, cMo, sameDepth));
-    {
-      const vpStopwatch stage(impl.timings.match);
-      impl.edges.match(frame, *impl.view);
-    }
+    matchNear(frame, cMo);
     const vpStopwatch stage(impl.timings.pose);
     impl.hypotheses.refine(index, impl.edges, impl.model->diameter());
     serves = vpControlPointMotion::mean(*impl.view, cMo, frame.camera()) < nearMotion;

@@ -91,10 +91,10 @@ bool vpMbMultiCueTracker::tryKeyframes(const vpCueFrame &frame, bool isNear)
   for (const vpKeyframePose &pose : found) {
     impl.mostAgreeing = std::max(impl.mostAgreeing, pose.agreeing);
   }
-  if (impl.bestExplained >= 0.) { // The attempts before did not know.
-    const double share = impl.explainedBy(impl.bestShare, impl.bestPose);
-    impl.bestValue += share - impl.bestExplained;
-    impl.bestExplained = share;
+  if (impl.best.explained >= 0.) { // The attempts before did not know.
+    const double share = impl.explainedBy(impl.best.share, impl.best.cMo);
+    impl.best.value += share - impl.best.explained;
+    impl.best.explained = share;
   }
   return std::any_of(found.begin(), found.end(),
                      [&](const vpKeyframePose &pose) { return attemptFrom(frame, pose.cMo, false); });

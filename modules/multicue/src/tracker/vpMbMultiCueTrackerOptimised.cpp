@@ -55,13 +55,20 @@ void vpMbMultiCueTracker::lookAgain(const vpCueFrame &frame)
 }
 
 // True where the depth buffer of this frame tells what hides what at a pose, too. It is looked into where the object's
-// middle has gone, so that only the motion about that counts; most: of it, pixels.
-bool vpMbMultiCueTracker::servesDepth(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double most) const
+// middle has gone, so that only the motion about that counts.
+bool vpMbMultiCueTracker::servesDepth(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo) const
 {
   const Impl &impl = *m_impl;
   const vpModelView &view = *impl.view;
   return impl.viewedFrame == frame.number() && !view.points().empty() && view.depth() != nullptr &&
-         vpControlPointMotion::aroundMiddle(view, view.depthPose(), cMo, frame.camera()) < most;
+         vpControlPointMotion::aroundMiddle(view, view.depthPose(), cMo, frame.camera()) < sameDepth;
+}
+
+// A pose among others of the same frame.
+void vpMbMultiCueTracker::matchNear(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+{
+  computeView(frame, cMo, servesDepth(frame, cMo));
+  matchView(frame);
 }
 
 // Optimised particles need no more than half of the control points: what comes of them is estimated again with all.
@@ -70,7 +77,7 @@ void vpMbMultiCueTracker::viewCoarsely(const vpCueFrame &frame, const vpHomogene
   Impl &impl = *m_impl;
   const vpStopwatch stage(impl.timings.view);
   vpModelView &view = *impl.view;
-  const bool keepsDepth = servesDepth(frame, cMo, sameDepth);
+  const bool keepsDepth = servesDepth(frame, cMo);
   vpModelViewOptions options = viewOptions();
   options.sampleStep *= coarseness;
   view.compute(cMo, frame.camera(), frame.width(), frame.height(), options, impl.renderer.get(), keepsDepth);
@@ -92,10 +99,7 @@ void vpMbMultiCueTracker::optimiseParticles(const vpCueFrame &frame)
   for (const std::size_t i : best) {
     m_cMo = particles.filter().pose(i) * oMb.inverse();
     viewCoarsely(frame, m_cMo);
-    {
-      const vpStopwatch stage(impl.timings.match);
-      impl.edges.match(frame, *impl.view);
-    }
+    matchView(frame);
     if (findPoses(drawsEach, HUGE_VAL)) {
       takeHypotheses();
     }

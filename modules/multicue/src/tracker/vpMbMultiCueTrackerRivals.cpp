@@ -19,8 +19,6 @@ const std::size_t mostNew = 2;
 const double calmMotion = 0.25;
 // Draws that are minimised from each.
 const unsigned int drawsEach = 2;
-// What hides what changes little for poses that move the control points by less than this about the object, pixels.
-const double sameDepth = 2.5;
 // A match serves poses that move its control points by less than this, pixels.
 const double nearMotion = 1.5;
 // Squared residues are compared in those of a pose that explains the image; one frame tells no more than this, and
@@ -107,11 +105,7 @@ void vpMbMultiCueTracker::optimiseRivals(const vpCueFrame &frame)
   }
   for (vpRivalPose &rival : rivals) {
     m_cMo = rival.cMb * oMb.inverse();
-    computeView(frame, m_cMo, servesDepth(frame, m_cMo, sameDepth));
-    {
-      const vpStopwatch stage(impl.timings.match);
-      impl.edges.match(frame, *impl.view);
-    }
+    matchNear(frame, m_cMo);
     if (!findPoses(drawsEach, HUGE_VAL)) {
       rival.residue = HUGE_VAL;
       continue;

@@ -37,7 +37,7 @@ void vpMbMultiCueTracker::judge(bool estimated)
   } else {
     impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
     if (impl.type != EDGE_TRACKER) {
-      impl.state = impl.stateOf(impl.bestExplained);
+      impl.state = impl.stateOf(impl.best.explained);
     }
     impl.outcome = impl.state == vpTrackingState::TRACKING    ? vpMbTrackingResult::Reason::WELL_EXPLAINED
                    : impl.state == vpTrackingState::UNCERTAIN ? vpMbTrackingResult::Reason::PARTLY_EXPLAINED
@@ -103,7 +103,7 @@ void vpMbMultiCueTracker::believe()
   if (impl.mustConfirm) {
     impl.belief.doubt();
   }
-  impl.belief.update(impl.surpriseAt(m_cMo), impl.bestExplained);
+  impl.belief.update(impl.surpriseAt(m_cMo), impl.best.explained);
   const bool isBelieved = !impl.searches || impl.belief.probability() >= trustedBelief;
   if (impl.state == vpTrackingState::TRACKING && !isBelieved) {
     impl.state = vpTrackingState::UNCERTAIN;
@@ -165,7 +165,7 @@ void vpMbMultiCueTracker::confirmState()
   if (!impl.mustConfirm) {
     return;
   }
-  if (!isExplained || inside < insideToConfirm || impl.bestExplained < confirming) {
+  if (!isExplained || inside < insideToConfirm || impl.best.explained < confirming) {
     impl.state = vpTrackingState::UNCERTAIN;
     ++impl.lostFrames;
     impl.confirmations = 0;
@@ -179,8 +179,7 @@ void vpMbMultiCueTracker::confirmState()
     impl.foundFrames = 0;
     impl.lostFrames = 0;
     impl.searched.clear();
-    impl.kalman.reset(); // Of how it moves now, nothing is known.
-    impl.sinceUpdate = 0.;
+    impl.forgetMotion();
   } else {
     impl.state = vpTrackingState::UNCERTAIN;
   }

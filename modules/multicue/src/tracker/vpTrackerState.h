@@ -5,6 +5,7 @@
 #include "particles/vpTrackerParticles.h"
 #include "search/vpBlobFinder.h"
 #include "search/vpPoseSearch.h"
+#include "tracker/vpCentreFrame.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseUncertainty.h"
@@ -125,14 +126,16 @@ public:
   static vpTrackingState stateOf(double share);
   //! True where the pose may be learnt from.
   bool isTrusted() const { return type == EDGE_TRACKER || state == vpTrackingState::TRACKING; }
+  //! Of how the object moves, nothing is known any more.
+  void forgetMotion()
+  {
+    kalman.reset();
+    sinceUpdate = 0.;
+  }
   //! True where the prediction is still better than the last pose, for an object that is not seen.
   bool mayCoast() const { return predicts && kalman.isStarted() && sinceUpdate < longestCoast; }
   //! The frame with the object's orientation at the middle of its box.
-  vpHomogeneousMatrix centreFrame() const
-  {
-    const Eigen::Vector3d at = model->centre();
-    return vpHomogeneousMatrix(vpTranslationVector(at.x(), at.y(), at.z()), vpRotationMatrix());
-  }
+  vpHomogeneousMatrix centreFrame() const { return vpCentreFrame(*model); }
   //! Of the poses that look like one, the nearest to where the object is believed to be.
   vpHomogeneousMatrix nearestAlike(const vpHomogeneousMatrix &cMo) const;
   //! True where nothing in the last image showed a turn about an axis of symmetry.
@@ -243,18 +246,23 @@ public:
   Agreement usual;        // Mean over the trusted frames.
   Agreement unsteadiness; // Variance of its share of the usual one over the trusted frames.
   Share share;            // At the pose that was judged last.
-  Share bestShare;        // At the best one of the frame.
-  double bestExplained = 0.;
+  // A pose that the cues were brought to.
+  struct Attempt
+  {
+    vpHomogeneousMatrix cMo;
+    double explained = -1.; // Less than any pose explains.
+    double value = -2.;     // What attempts are compared by.
+    Share share;
+    bool usesPoints = false;
+  };
+  Attempt best;                               // Of this frame.
   std::vector<vpHomogeneousMatrix> attempted; // Poses that attempts of this frame led to.
-  double bestValue = 0.;                      // What attempts are compared by.
   static constexpr double longestCoast = 0.5; // Seconds.
   static constexpr double leastTexture =
       0.15;                                 // A surface of one colour tells no pose from another, and has no corners.
   static constexpr double leastUsual = 0.4; // What a right pose has at least, whatever the frames before had.
-  vpHomogeneousMatrix bestPose;             // Of the attempts in this frame.
   bool followsLast = false;                 // The attempt that goes on starts from where the last frame left.
   bool bestIsLast = false;
-  bool bestUsesPoints = false;
   vpHomogeneousMatrix expectedPose; // Of the object in this frame, before it was looked at.
   vpHomogeneousMatrix startPose;    // Of the attempt that goes on.
   // How far off a pose is no surprise, as offExpected(), and what is taken where nothing is known.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpTrackerSymmetries.h"
 
+#include "tracker/vpCentreFrame.h"
+
 #include <visp3/multicue/vpModelSymmetriesReader.h>
 
 #include <Eigen/LU>
@@ -89,9 +91,7 @@ void vpTrackerSymmetries::measure(const vpTrackedModel &model)
     return;
   }
   const Eigen::Matrix<double, 6, Eigen::Dynamic> V = hiddenMotions();
-  const vpHomogeneousMatrix bMo(vpTranslationVector(-model.centre().x(), -model.centre().y(), -model.centre().z()),
-                                vpRotationMatrix());
-  const vpPoseMatrix6 toCentre = vpPoseExponential::adjoint(bMo);
+  const vpPoseMatrix6 toCentre = vpPoseExponential::adjoint(vpCentreFrame(model).inverse());
   vpPoseTangent metric = vpPoseTangent::Ones();
   metric.tail<3>().setConstant(0.25 * model.diameter() * model.diameter());
   const Eigen::Matrix<double, Eigen::Dynamic, 6> dual =

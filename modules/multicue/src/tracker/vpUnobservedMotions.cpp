@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpUnobservedMotions.h"
 
+#include "tracker/vpCentreFrame.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -18,12 +20,6 @@ const double leastInformation = 2e-3;
 const double sameMotion = 0.98;
 // Parts of a motion that are smaller than this do not change its name.
 const double littlePart = 0.03;
-
-vpHomogeneousMatrix centreFrame(const vpTrackedModel &model)
-{
-  const Eigen::Vector3d at = model.centre();
-  return vpHomogeneousMatrix(vpTranslationVector(at.x(), at.y(), at.z()), vpRotationMatrix());
-}
 
 vpPoseMatrix6 informationOf(const vpCueFusion &fusion)
 {
@@ -91,7 +87,7 @@ vpUnobservedMotions::Motions vpUnobservedMotions::named(const Motions &hidden, c
     const Eigen::MatrixXd basis = within.householderQr().householderQ();
     rest = Motions(rest * basis.rightCols(rest.cols() - 1));
   };
-  const vpPoseMatrix6 bVo = vpPoseExponential::adjoint(centreFrame(m_model).inverse());
+  const vpPoseMatrix6 bVo = vpPoseExponential::adjoint(vpCentreFrame(m_model).inverse());
   const Eigen::Matrix<double, 6, Eigen::Dynamic> symmetric = bVo * m_symmetries.hiddenMotions();
   for (Eigen::Index i = 0; i < symmetric.cols(); ++i) {
     take(symmetric.col(i));
@@ -146,7 +142,7 @@ vpMbTrackingResult::UnobservedMotion vpUnobservedMotions::describe(const vpPoseT
 
 std::vector<vpMbTrackingResult::UnobservedMotion> vpUnobservedMotions::find(const vpCueFusion &fusion) const
 {
-  const vpHomogeneousMatrix cMb = fusion.pose() * centreFrame(m_model);
+  const vpHomogeneousMatrix cMb = fusion.pose() * vpCentreFrame(m_model);
   const vpPoseMatrix6 scaled = units(cMb);
   const vpPoseMatrix6 toCamera = vpPoseExponential::adjoint(cMb) * scaled;
   const Eigen::SelfAdjointEigenSolver<vpPoseMatrix6> solver(toCamera.transpose() * informationOf(fusion) * toCamera);

@@ -422,6 +422,8 @@ private:
   bool estimate(const vpCueFrame &frame);
   void computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth = false);
   void match(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void matchNear(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
+  void matchView(const vpCueFrame &frame);
   void moveParticles(const vpCueFrame &frame);
   vpImageRegion particleRegion(const vpCueFrame &frame) const;
   bool estimateFrom(const vpCueFrame &frame, bool matched);
@@ -434,7 +436,7 @@ private:
   void optimiseAround(const vpCueFrame &frame);
   void lookAgain(const vpCueFrame &frame);
   void optimiseParticles(const vpCueFrame &frame);
-  bool servesDepth(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double most) const;
+  bool servesDepth(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo) const;
   void viewCoarsely(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   void takeHypotheses();
   void takeParticleMean();
