@@ -159,8 +159,10 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     updateParticles(frame, impl.attempted);
   }
   updateCovariance();
+  impl.chooseTrack();
   confirm();
   believe();
+  impl.endTracks(m_cMo);
   if (impl.state == vpTrackingState::LOST) {
     const bool coasts = impl.mayCoast();
     m_cMo = coasts ? impl.expectedPose : cMoBefore;

@@ -22,8 +22,6 @@ const double mostFar = 10.;
 const double toleratedPenalty = 0.05;
 // Of half a turn, or two diameters.
 const double changePenalty = 0.1;
-const double followedBonus = 0.05;
-const double believedBonus = 0.2;
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
 // Turns of the object that are tried, radians.
@@ -60,8 +58,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     // to the last trusted pose is likelier.
     const double unknown = vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
     value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
-    // The pose of the frame before, followed to this one, has explained two images, or more.
-    value += impl.followsLast ? followedBonus + believedBonus * impl.belief.probability() : 0.;
+    value = estimated ? impl.addToTracks(m_cMo, value) : value;
   }
   impl.bestIsLast = estimated && value > impl.best.value;
   if (impl.bestIsLast) {
@@ -102,7 +99,7 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
     return;
   }
   // Colours mislead where much of the object looks like what is behind it.
-  m_cMo = impl.expectedPose;
+  m_cMo = impl.startPose = impl.expectedPose;
   if (takeAttempt(refineFused(frame))) {
     return;
   }
@@ -172,10 +169,10 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.usesPoints = false;
   if (impl.state != vpTrackingState::LOST) { // What hides the object misleads colours and points.
-    m_cMo = impl.expectedPose;
-    impl.followsLast = true;
+    m_cMo = impl.startPose = impl.expectedPose;
+    impl.tracks.follow(0);
     const bool isEnough = takeAttempt(refineFused(frame));
-    impl.followsLast = false;
+    impl.tracks.followNone();
     if (isEnough) {
       return;
     }
@@ -189,14 +186,19 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.attempted.clear();
+  impl.recallLearnt();
+  if (impl.mustConfirm) {
+    impl.beginTracks(m_cMo);
+  }
   impl.best = Impl::Attempt();
   impl.mostAgreeing = 0;
-  impl.recallLearnt();
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
-  impl.followsLast = impl.state != vpTrackingState::LOST;
   bool isEnough = takeAttempt(refineFused(frame));
-  impl.followsLast = false;
+  impl.tracks.followNone();
+  if (impl.mustConfirm && followOthers(frame)) {
+    isEnough = true;
+  }
   if (impl.rough.hasHint) {
     isEnough = tryHint(frame) || isEnough;
   }
@@ -212,7 +214,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
     return false;
   }
   if (!impl.bestIsLast) {
-    m_cMo = impl.best.cMo;
+    m_cMo = impl.startPose = impl.best.cMo;
     impl.usesPoints = impl.best.usesPoints;
     if (!refineFused(frame)) {
       return false;

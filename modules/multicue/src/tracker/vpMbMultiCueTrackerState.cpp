@@ -18,7 +18,6 @@ const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
 // One that is lost again within as many frames was no right one, perhaps.
 const unsigned int fewFrames = 60;
-const double confirming = 0.75;     // Share of what is usually explained.
 const double insideToConfirm = 0.4; // Share of the outline that is in the image.
 const double leastInside = 0.3;
 const double trustedBelief = 0.7;
@@ -165,15 +164,16 @@ void vpMbMultiCueTracker::confirmState()
   if (!impl.mustConfirm) {
     return;
   }
-  if (!isExplained || inside < insideToConfirm || impl.best.explained < confirming) {
+  if (!isExplained || inside < insideToConfirm || impl.best.explained < vpPoseTracks::confirming) {
     impl.state = vpTrackingState::UNCERTAIN;
     ++impl.lostFrames;
     impl.confirmations = 0;
     return;
   }
   ++impl.confirmations;
+  const bool isDoubtful = impl.tracks.isContested() || isContradicted();
   const unsigned int needed =
-      isDecisive() ? neededConfirmations : (isContradicted() ? doubtfulConfirmations : usualConfirmations);
+      isDoubtful ? doubtfulConfirmations : (isDecisive() ? neededConfirmations : usualConfirmations);
   if (impl.confirmations >= needed) {
     impl.mustConfirm = false;
     impl.foundFrames = 0;

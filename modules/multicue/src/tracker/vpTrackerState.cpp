@@ -198,6 +198,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   searched.clear();
   lostFrames = 0;
   confirmations = 0;
+  tracks.clear();
   mustConfirm = false;
   mustRecall = false;
   learntBefore.reset();

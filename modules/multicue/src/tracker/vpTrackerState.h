@@ -8,6 +8,7 @@
 #include "tracker/vpCentreFrame.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpPoseBelief.h"
+#include "tracker/vpPoseTracks.h"
 #include "tracker/vpPoseUncertainty.h"
 #include "tracker/vpRoughStart.h"
 #include "tracker/vpTextureSupport.h"
@@ -234,6 +235,13 @@ public:
   bool mustRecall = false;              // What was learnt since then is of something else.
   unsigned int foundFrames = 0;         // Since the object was found again.
   unsigned int confirmations = 0;       // Frames that explained a pose on end since the object was lost.
+  vpPoseTracks tracks;                  // While it has to be confirmed.
+  //! True where two poses are followed as one.
+  bool isSameTrack(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo) const;
+  void beginTracks(const vpHomogeneousMatrix &cMo);
+  double addToTracks(const vpHomogeneousMatrix &cMo, double value);
+  void chooseTrack();
+  void endTracks(const vpHomogeneousMatrix &cMo);
 
   vpRoughStart rough;
 
@@ -261,7 +269,6 @@ public:
   static constexpr double leastTexture =
       0.15;                                 // A surface of one colour tells no pose from another, and has no corners.
   static constexpr double leastUsual = 0.4; // What a right pose has at least, whatever the frames before had.
-  bool followsLast = false;                 // The attempt that goes on starts from where the last frame left.
   bool bestIsLast = false;
   vpHomogeneousMatrix expectedPose; // Of the object in this frame, before it was looked at.
   vpHomogeneousMatrix startPose;    // Of the attempt that goes on.

@@ -415,6 +415,7 @@ private:
   void estimateByPoints(const vpCueFrame &frame);
   void updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near);
   void updateMotion(double doubt = 1.);
+  bool followOthers(const vpCueFrame &frame);
   void findAgain(const vpCueFrame &frame);
   void followDoubtful();
   void believe();

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpTrackerState.h"
+
+BEGIN_VISP_NAMESPACE
+
+bool vpMbMultiCueTracker::Impl::isSameTrack(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo) const
+{
+  const vpHomogeneousMatrix oMb = centreFrame();
+  return rivalDistance(c1Mo * oMb, c2Mo * oMb) < 1.;
+}
+
+// The first attempts of a frame go on from where the last one left.
+void vpMbMultiCueTracker::Impl::beginTracks(const vpHomogeneousMatrix &cMo)
+{
+  if (state == vpTrackingState::LOST) {
+    tracks.clear();
+    return;
+  }
+  if (tracks.empty()) {
+    tracks.begin(cMo, best.explained, belief);
+  }
+  tracks.follow(0);
+}
+
+double vpMbMultiCueTracker::Impl::addToTracks(const vpHomogeneousMatrix &cMo, double value)
+{
+  return tracks.add(cMo, value, [this](const auto &c1Mo, const auto &c2Mo) { return isSameTrack(c1Mo, c2Mo); });
+}
+
+// What was believed of the best pose of this frame, which may not be the one that was followed.
+void vpMbMultiCueTracker::Impl::chooseTrack()
+{
+  if (!mustConfirm || best.explained < 0.) {
+    tracks.clear();
+    return;
+  }
+  tracks.choose(best.cMo, [this](const auto &c1Mo, const auto &c2Mo) { return isSameTrack(c1Mo, c2Mo); });
+  const vpPoseTracks::Track &chosen = tracks.chosen();
+  belief = chosen.belief;
+  confirmations = chosen.confirmations;
+  expectedPose = chosen.before;
+}
+
+// The next frame goes on from the pose that this one ended with.
+void vpMbMultiCueTracker::Impl::endTracks(const vpHomogeneousMatrix &cMo)
+{
+  if (!mustConfirm || state == vpTrackingState::LOST) {
+    tracks.clear();
+    return;
+  }
+  if (!tracks.empty()) {
+    tracks.chosen().cMo = cMo;
+    tracks.chosen().belief = belief;
+    tracks.chosen().confirmations = confirmations;
+  }
+}
+
+// After a loss: the other poses that may be right. \return True where one of them is better, and enough.
+bool vpMbMultiCueTracker::followOthers(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const std::size_t number = impl.tracks.tracks().size(); // Before this frame.
+  bool isEnough = false;
+  for (std::size_t i = 1; i < number; ++i) {
+    impl.usesPoints = false;
+    const vpHomogeneousMatrix cMo = impl.tracks.tracks()[i].cMo;
+    impl.tracks.follow(i);
+    isEnough = attemptFrom(frame, cMo) || isEnough;
+    isEnough = attemptFrom(frame, cMo, false) || isEnough;
+  }
+  impl.tracks.followNone();
+  return isEnough;
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tracker/vpPoseTracks.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const std::size_t mostTracks = 3;
+const double doubtOfOne = 0.4; // Of a pose that was seen in one frame.
+const double mostFrames = 6.;
+const double framesOfBelieved = 4.; // That a pose is worth which is believed for certain.
+const double rightAtFirst = 0.3;    // Of a pose that a search found.
+const double contestedMargin = 0.05;
+const double leastValue = 0.3; // Below it a track ends.
+
+double standing(double mean, double frames)
+{
+  return mean - doubtOfOne / std::sqrt(frames);
+}
+
+// By a search.
+vpPoseTracks::Track found(const vpHomogeneousMatrix &cMo)
+{
+  vpPoseTracks::Track track;
+  track.cMo = track.before = cMo;
+  track.belief.start(rightAtFirst);
+  return track;
+}
+
+double grown(double frames)
+{
+  return std::min(frames + 1., mostFrames);
+}
+
+// With what it explains in this frame.
+double meanOf(const vpPoseTracks::Track &track)
+{
+  return track.mean + (track.value - track.mean) / grown(track.frames);
+}
+} // namespace
+
+void vpPoseTracks::clear()
+{
+  m_tracks.clear();
+  m_followed = none;
+}
+
+void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, double explained, const vpPoseBelief &belief)
+{
+  clear();
+  Track track;
+  track.cMo = track.before = cMo;
+  track.mean = explained;
+  track.frames = framesOfBelieved * belief.probability();
+  track.belief = belief;
+  m_tracks.push_back(track);
+}
+
+std::size_t vpPoseTracks::indexOf(const vpHomogeneousMatrix &cMo, const Same &isSame) const
+{
+  const auto found = std::find_if(m_tracks.begin(), m_tracks.end(),
+                                  [&](const Track &track) { return track.isSeen && isSame(track.cMo, cMo); });
+  return found == m_tracks.end() ? none : static_cast<std::size_t>(found - m_tracks.begin());
+}
+
+double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame)
+{
+  std::size_t index = m_followed != none ? m_followed : indexOf(cMo, isSame);
+  if (index == none) {
+    index = m_tracks.size();
+    m_tracks.push_back(found(cMo));
+  }
+  Track &track = m_tracks[index];
+  Track attempt = track;
+  attempt.value = value;
+  if (!track.isSeen) {
+    track.before = track.cMo;
+  }
+  if (!track.isSeen || value > track.value) {
+    track.cMo = cMo;
+    track.value = value;
+    track.isSeen = true;
+  }
+  return standing(meanOf(attempt), grown(track.frames));
+}
+
+// What each track explains in this frame is told to it.
+void vpPoseTracks::endFrame()
+{
+  m_followed = none;
+  const auto ends = [](const Track &track) { return !track.isSeen || track.value < leastValue; };
+  m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), ends), m_tracks.end());
+  for (Track &track : m_tracks) {
+    track.mean = meanOf(track);
+    track.frames = grown(track.frames);
+    track.isSeen = false;
+  }
+  std::stable_sort(m_tracks.begin(), m_tracks.end(), [](const Track &a, const Track &b) {
+    return standing(a.mean, a.frames) > standing(b.mean, b.frames);
+  });
+}
+
+void vpPoseTracks::dropDoubles(const Same &isSame)
+{
+  std::vector<Track> kept;
+  for (const Track &track : m_tracks) {
+    const auto isDouble = [&](const Track &before) { return isSame(before.cMo, track.cMo); };
+    if (kept.size() < mostTracks && std::none_of(kept.begin(), kept.end(), isDouble)) {
+      kept.push_back(track);
+    }
+  }
+  m_tracks = std::move(kept);
+}
+
+void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, const Same &isSame)
+{
+  endFrame();
+  const auto best =
+      std::find_if(m_tracks.begin(), m_tracks.end(), [&](const Track &track) { return isSame(track.cMo, cMo); });
+  if (best == m_tracks.end()) {
+    m_tracks.insert(m_tracks.begin(), found(cMo));
+  } else {
+    std::rotate(m_tracks.begin(), best, best + 1);
+  }
+  dropDoubles(isSame);
+  for (std::size_t i = 1; i < m_tracks.size(); ++i) {
+    Track &other = m_tracks[i];
+    other.belief.update(0., other.value);
+    other.confirmations = other.value < confirming ? 0 : other.confirmations + 1;
+  }
+}
+
+bool vpPoseTracks::isContested() const
+{
+  return m_tracks.size() > 1 && m_tracks[1].frames > 1. && m_tracks[1].mean > m_tracks.front().mean - contestedMargin;
+}
+
+END_VISP_NAMESPACE

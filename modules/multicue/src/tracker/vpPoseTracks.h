@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef vpPoseTracks_h
+#define vpPoseTracks_h
+
+#include "tracker/vpPoseBelief.h"
+
+#include <visp3/core/vpHomogeneousMatrix.h>
+
+#include <functional>
+#include <vector>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  Poses that are followed side by side from frame to frame, after a loss and until one of them is confirmed.
+
+  One image may show more at a wrong pose than at the right one, the next ones hardly do. A pose is compared by the mean
+  of what it explained in the last frames, less a doubt that falls with the root of their number n:
+  \f[ s = \bar v - d / \sqrt{n} \f]
+*/
+class vpPoseTracks
+{
+public:
+  //! True where two poses are the same one, or look alike.
+  using Same = std::function<bool(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo)>;
+
+  //! Value that a frame has to have that confirms a pose.
+  static constexpr double confirming = 0.75;
+
+  struct Track
+  {
+    vpHomogeneousMatrix cMo;
+    vpHomogeneousMatrix before; //!< In the frame before; the same where there was none.
+    double mean = 0.;           //!< Of the frames before.
+    double frames = 0.;         //!< That it is the mean of.
+    double value = 0.;          //!< In this frame.
+    bool isSeen = false;
+    vpPoseBelief belief;
+    unsigned int confirmations = 0; //!< Frames on end that explained it.
+  };
+
+  void clear();
+  bool empty() const { return m_tracks.empty(); }
+  const std::vector<Track> &tracks() const { return m_tracks; }
+  //! The first one: a pose that was followed until now. \param explained By it in the frame before. \param belief Its
+  //! probability says how many frames that is worth.
+  void begin(const vpHomogeneousMatrix &cMo, double explained, const vpPoseBelief &belief);
+  //! The attempts to come start from this track, or from none of them.
+  void follow(std::size_t index) { m_followed = index; }
+  void followNone() { m_followed = none; }
+  //! A pose that was estimated in this frame, with what it explains. \return What to compare it by.
+  double add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame);
+  //! Ends the frame: the track of this pose comes first, some others are kept where they are as good.
+  void choose(const vpHomogeneousMatrix &cMo, const Same &isSame);
+  //! The first one; there is one after choose().
+  Track &chosen() { return m_tracks.front(); }
+  //! True where another one explains as much.
+  bool isContested() const;
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t indexOf(const vpHomogeneousMatrix &cMo, const Same &isSame) const;
+  void endFrame();
+  void dropDoubles(const Same &isSame);
+
+  std::vector<Track> m_tracks;
+  std::size_t m_followed = none;
+};
+
+END_VISP_NAMESPACE
+#endif
