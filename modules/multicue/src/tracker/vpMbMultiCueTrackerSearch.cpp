@@ -117,6 +117,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   impl.settle(search);
   attemptBest(frame, search);
   impl.searched = search.candidates();
+  impl.tracks.noteSearch();
 }
 
 // Of half a turn, and of two diameters.

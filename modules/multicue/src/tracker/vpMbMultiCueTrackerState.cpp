@@ -5,6 +5,8 @@
 
 #include <visp3/core/vpTrackingException.h>
 
+#include <algorithm>
+
 BEGIN_VISP_NAMESPACE
 
 namespace {
@@ -12,6 +14,8 @@ namespace {
 const unsigned int neededConfirmations = 3;
 const unsigned int usualConfirmations = 6;
 const unsigned int doubtfulConfirmations = 15; // Where the surface looks like that of another pose.
+// Frames on end in which no other pose came near, whatever is explained.
+const unsigned int neededAhead = 6;
 // An object that left the image for so many frames on end may come back anywhere; one that the image does not explain
 // is followed for longer, since light and what is in front of it change more often than it jumps.
 const unsigned int mostOutside = 3;
@@ -21,6 +25,7 @@ const unsigned int fewFrames = 60;
 const double insideToConfirm = 0.4; // Share of the outline that is in the image.
 const double leastInside = 0.3;
 const double trustedBelief = 0.7;
+const double mostLead = 0.25; // That counts, of what a pose explains more than others.
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
 } // namespace
@@ -102,7 +107,8 @@ void vpMbMultiCueTracker::believe()
   if (impl.mustConfirm) {
     impl.belief.doubt();
   }
-  impl.belief.update(impl.surpriseAt(m_cMo), impl.best.explained);
+  const double lead = impl.mustConfirm ? std::min(std::max(impl.tracks.lead(), 0.), mostLead) : 0.;
+  impl.belief.update(impl.surpriseAt(m_cMo), impl.best.explained + lead);
   const bool isBelieved = !impl.searches || impl.belief.probability() >= trustedBelief;
   if (impl.state == vpTrackingState::TRACKING && !isBelieved) {
     impl.state = vpTrackingState::UNCERTAIN;
@@ -164,25 +170,31 @@ void vpMbMultiCueTracker::confirmState()
   if (!impl.mustConfirm) {
     return;
   }
-  if (!isExplained || inside < insideToConfirm || impl.best.explained < vpPoseTracks::confirming) {
-    impl.state = vpTrackingState::UNCERTAIN;
-    ++impl.lostFrames;
-    impl.confirmations = 0;
-    return;
-  }
-  ++impl.confirmations;
-  const bool isDoubtful = impl.tracks.isContested() || isContradicted();
-  const unsigned int needed =
-      isDoubtful ? doubtfulConfirmations : (isDecisive() ? neededConfirmations : usualConfirmations);
-  if (impl.confirmations >= needed) {
+  const bool confirms = isExplained && inside >= insideToConfirm && impl.best.explained >= vpPoseTracks::confirming;
+  impl.confirmations = confirms ? impl.confirmations + 1 : 0;
+  impl.lostFrames += confirms ? 0 : 1;
+  if (isConfirmed(inside)) {
     impl.mustConfirm = false;
     impl.foundFrames = 0;
     impl.lostFrames = 0;
+    impl.doubtfulFrames = 0;
     impl.searched.clear();
     impl.forgetMotion();
   } else {
     impl.state = vpTrackingState::UNCERTAIN;
   }
+}
+
+// By frames on end that explain the pose, or by others that were looked for in vain.
+bool vpMbMultiCueTracker::isConfirmed(double inside) const
+{
+  const Impl &impl = *m_impl;
+  if (inside >= insideToConfirm && impl.tracks.ahead() >= neededAhead) {
+    return true;
+  }
+  const bool isDoubtful = impl.tracks.isContested() || isContradicted();
+  return impl.confirmations >=
+         (isDoubtful ? doubtfulConfirmations : (isDecisive() ? neededConfirmations : usualConfirmations));
 }
 
 END_VISP_NAMESPACE

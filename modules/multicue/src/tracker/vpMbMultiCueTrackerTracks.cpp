@@ -5,6 +5,11 @@
 
 BEGIN_VISP_NAMESPACE
 
+namespace {
+// Share of the outline: what is seen of less looks like many poses.
+const double insideToCompare = 0.7;
+} // namespace
+
 bool vpMbMultiCueTracker::Impl::isSameTrack(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo) const
 {
   const vpHomogeneousMatrix oMb = centreFrame();
@@ -36,7 +41,8 @@ void vpMbMultiCueTracker::Impl::chooseTrack()
     tracks.clear();
     return;
   }
-  tracks.choose(best.cMo, [this](const auto &c1Mo, const auto &c2Mo) { return isSameTrack(c1Mo, c2Mo); });
+  tracks.choose(best.cMo, insideShare(best.cMo) >= insideToCompare,
+                [this](const auto &c1Mo, const auto &c2Mo) { return isSameTrack(c1Mo, c2Mo); });
   const vpPoseTracks::Track &chosen = tracks.chosen();
   belief = chosen.belief;
   confirmations = chosen.confirmations;

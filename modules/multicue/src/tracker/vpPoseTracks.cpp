@@ -14,6 +14,8 @@ const double framesOfBelieved = 4.; // That a pose is worth which is believed fo
 const double rightAtFirst = 0.3;    // Of a pose that a search found.
 const double contestedMargin = 0.05;
 const double leastValue = 0.3; // Below it a track ends.
+const double leastLead = 0.1;
+const double leastMean = 0.55; // Of one that is ahead.
 
 double standing(double mean, double frames)
 {
@@ -45,6 +47,8 @@ void vpPoseTracks::clear()
 {
   m_tracks.clear();
   m_followed = none;
+  m_hasSearched = false;
+  m_lead = 0.;
 }
 
 void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, double explained, const vpPoseBelief &belief)
@@ -114,7 +118,7 @@ void vpPoseTracks::dropDoubles(const Same &isSame)
   m_tracks = std::move(kept);
 }
 
-void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, const Same &isSame)
+void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, bool isSeen, const Same &isSame)
 {
   endFrame();
   const auto best =
@@ -129,7 +133,12 @@ void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, const Same &isSame)
     Track &other = m_tracks[i];
     other.belief.update(0., other.value);
     other.confirmations = other.value < confirming ? 0 : other.confirmations + 1;
+    other.ahead = 0;
   }
+  Track &first = m_tracks.front();
+  m_lead = isSeen && m_hasSearched && m_tracks.size() > 1 ? first.mean - m_tracks[1].mean : 0.;
+  m_hasSearched = false;
+  first.ahead = m_lead > leastLead && first.mean > leastMean ? first.ahead + 1 : 0;
 }
 
 bool vpPoseTracks::isContested() const

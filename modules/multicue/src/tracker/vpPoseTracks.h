@@ -37,6 +37,7 @@ public:
     bool isSeen = false;
     vpPoseBelief belief;
     unsigned int confirmations = 0; //!< Frames on end that explained it.
+    unsigned int ahead = 0;         //!< Frames on end in which no other one came near.
   };
 
   void clear();
@@ -50,12 +51,20 @@ public:
   void followNone() { m_followed = none; }
   //! A pose that was estimated in this frame, with what it explains. \return What to compare it by.
   double add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame);
+  //! Other poses were looked for in all of this image.
+  void noteSearch() { m_hasSearched = true; }
   //! Ends the frame: the track of this pose comes first, some others are kept where they are as good.
-  void choose(const vpHomogeneousMatrix &cMo, const Same &isSame);
+  //! \param isSeen The pose is one of an object that is in the image for the most part.
+  void choose(const vpHomogeneousMatrix &cMo, bool isSeen, const Same &isSame);
   //! The first one; there is one after choose().
   Track &chosen() { return m_tracks.front(); }
   //! True where another one explains as much.
   bool isContested() const;
+  //! By how much the first one explains more than the second, in a frame in which others were looked for; 0 in the
+  //! rest.
+  double lead() const { return m_lead; }
+  //! Frames on end in which no other one came near to the first.
+  unsigned int ahead() const { return m_tracks.empty() ? 0 : m_tracks.front().ahead; }
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -65,6 +74,8 @@ private:
 
   std::vector<Track> m_tracks;
   std::size_t m_followed = none;
+  bool m_hasSearched = false; // In this frame.
+  double m_lead = 0.;
 };
 
 END_VISP_NAMESPACE

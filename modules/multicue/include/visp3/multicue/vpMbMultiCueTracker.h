@@ -398,6 +398,7 @@ private:
   void searchEverywhere(const vpCueFrame &frame);
   void confirm();
   void confirmState();
+  bool isConfirmed(double inside) const;
   bool refineFused(const vpCueFrame &frame);
   bool isBelievable() const;
   void setPrior();
