@@ -64,8 +64,8 @@ void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, double explained, const
 
 std::size_t vpPoseTracks::indexOf(const vpHomogeneousMatrix &cMo, const Same &isSame) const
 {
-  const auto found = std::find_if(m_tracks.begin(), m_tracks.end(),
-                                  [&](const Track &track) { return track.isSeen && isSame(track.cMo, cMo); });
+  const auto found =
+      std::find_if(m_tracks.begin(), m_tracks.end(), [&](const Track &track) { return isSame(track.cMo, cMo); });
   return found == m_tracks.end() ? none : static_cast<std::size_t>(found - m_tracks.begin());
 }
 

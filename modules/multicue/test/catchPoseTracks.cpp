@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tracker/vpPoseBelief.cpp" // The library keeps them to itself.
+#include "tracker/vpPoseTracks.cpp"
+
+#include <catchMain.h>
+
+namespace {
+const unsigned int manyFrames = 20; // Those before count no longer.
+
+vpHomogeneousMatrix at(double x)
+{
+  return vpHomogeneousMatrix(x, 0., 1., 0., 0., 0.);
+}
+
+bool isSame(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo)
+{
+  return std::abs(c1Mo[0][3] - c2Mo[0][3]) < 0.05;
+}
+
+//! A frame in which a search finds poses with these values; those that are followed stay where they are.
+void frame(vpPoseTracks &tracks, const std::vector<std::pair<double, double>> &found, bool isSeen = true)
+{
+  double best = -1.;
+  vpHomogeneousMatrix chosen;
+  for (const auto &[x, value] : found) {
+    const double compared = tracks.add(at(x), value, isSame);
+    if (compared > best) {
+      best = compared;
+      chosen = at(x);
+    }
+  }
+  tracks.noteSearch();
+  tracks.choose(chosen, isSeen, isSame);
+}
+
+//! Follows each track to its own pose. \param valueAt What is explained at a place.
+template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
+{
+  std::vector<vpHomogeneousMatrix> poses;
+  for (const vpPoseTracks::Track &track : tracks.tracks()) {
+    poses.push_back(track.cMo);
+  }
+  double best = -1.;
+  vpHomogeneousMatrix chosen;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    tracks.follow(i);
+    const double compared = tracks.add(poses[i], valueAt(poses[i][0][3]), isSame);
+    tracks.followNone();
+    if (compared > best) {
+      best = compared;
+      chosen = poses[i];
+    }
+  }
+  tracks.noteSearch();
+  tracks.choose(chosen, true, isSame);
+}
+
+double chosenAt(vpPoseTracks &tracks)
+{
+  return tracks.chosen().cMo[0][3];
+}
+
+vpPoseTracks followedFor(unsigned int frames)
+{
+  vpPoseTracks tracks;
+  frame(tracks, {{0., 0.7}});
+  for (unsigned int i = 1; i < frames; ++i) {
+    followed(tracks, [](double) { return 0.7; });
+  }
+  return tracks;
+}
+} // namespace
+
+TEST_CASE("One better image does not move a pose that was followed, some on end do", "[pose-tracks]")
+{
+  vpPoseTracks tracks = followedFor(6);
+  const auto followOld = [&] {
+    tracks.follow(0);
+    tracks.add(at(0.), 0.7, isSame);
+    tracks.followNone();
+  };
+  followOld();
+  const double old = tracks.add(at(0.), 0.7, isSame);
+  CHECK(tracks.add(at(1.), 0.9, isSame) < old);
+  tracks.choose(at(0.), true, isSame);
+  CHECK(chosenAt(tracks) == 0.);
+  REQUIRE(tracks.tracks().size() == 2);
+
+  unsigned int frames = 0;
+  for (; frames < 10 && chosenAt(tracks) == 0.; ++frames) {
+    followed(tracks, [](double x) { return x > 0.5 ? 0.9 : 0.7; });
+  }
+  CHECK(frames >= 1);
+  CHECK(frames <= 4);
+}
+
+TEST_CASE("A pose that explains nothing ends, others stay up to three, the same ones become one", "[pose-tracks]")
+{
+  vpPoseTracks tracks;
+  frame(tracks, {{0., 0.8}, {1., 0.7}, {2., 0.6}, {3., 0.5}, {1.01, 0.65}, {4., 0.1}});
+  REQUIRE(tracks.tracks().size() == 3);
+  CHECK(chosenAt(tracks) == 0.);
+  CHECK(tracks.tracks()[1].cMo[0][3] == 1.);
+  followed(tracks, [](double x) { return x > 1.5 ? 0.2 : 0.7; });
+  CHECK(tracks.tracks().size() == 2);
+}
+
+TEST_CASE("A lead over what was looked for counts by the frame", "[pose-tracks]")
+{
+  vpPoseTracks tracks;
+  for (unsigned int i = 1; i <= 4; ++i) {
+    frame(tracks, {{0., 0.7}, {1., 0.4}});
+    CHECK(tracks.lead() == Approx(0.3));
+    CHECK(tracks.ahead() == i);
+  }
+  SECTION("not in a frame without a search")
+  {
+    tracks.add(at(0.), 0.7, isSame);
+    tracks.add(at(1.), 0.4, isSame);
+    tracks.choose(at(0.), true, isSame);
+    CHECK(tracks.lead() == 0.);
+    CHECK(tracks.ahead() == 0);
+  }
+  SECTION("not where little of the object is seen")
+  {
+    frame(tracks, {{0., 0.7}, {1., 0.4}}, false);
+    CHECK(tracks.ahead() == 0);
+  }
+  SECTION("not where another one comes near")
+  {
+    for (unsigned int i = 0; i < manyFrames; ++i) {
+      frame(tracks, {{0., 0.7}, {1., 0.69}});
+    }
+    CHECK(tracks.ahead() == 0);
+    CHECK(tracks.isContested());
+  }
+  SECTION("not of a pose that explains little")
+  {
+    for (unsigned int i = 0; i < manyFrames; ++i) {
+      frame(tracks, {{0., 0.5}, {1., 0.35}});
+    }
+    CHECK(tracks.ahead() == 0);
+  }
+}
+
+TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
+{
+  vpPoseBelief believed;
+  believed.start(0.9);
+  vpPoseTracks tracks;
+  tracks.begin(at(0.), 0.8, believed);
+  tracks.follow(0);
+  tracks.add(at(0.02), 0.8, isSame);
+  tracks.followNone();
+  tracks.add(at(1.), 0.8, isSame);
+  tracks.choose(at(0.02), true, isSame);
+  CHECK(tracks.chosen().belief.probability() == Approx(0.9));
+  CHECK(tracks.chosen().before[0][3] == 0.);
+  CHECK(tracks.tracks()[1].belief.probability() < 0.5);
+  CHECK(tracks.tracks()[1].confirmations == 1);
+}
+
+TEST_CASE("A pose that was not among the estimated ones is a track of its own", "[pose-tracks]")
+{
+  vpPoseTracks tracks = followedFor(3);
+  tracks.choose(at(5.), true, isSame);
+  CHECK(chosenAt(tracks) == 5.);
+  CHECK(tracks.lead() == 0.);
+}
