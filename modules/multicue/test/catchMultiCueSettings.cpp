@@ -185,7 +185,7 @@ TEST_CASE("The cases above are all keys that there are")
   vpMultiCueSettingsReader::write(folder.path("all.json"), unusual());
   const std::string text = settingsFiles::textOf(folder.path("all.json"));
   const auto colons = static_cast<std::size_t>(std::count(text.begin(), text.end(), ':'));
-  CHECK(colons == cases.size() + 10 + 2); // Ten objects, the cues and the search.
+  CHECK(colons == cases.size() + 10 + 3); // Ten objects, the cues, the search and its budget.
 }
 
 TEST_CASE("Values come where they belong")
@@ -216,6 +216,15 @@ TEST_CASE("Cues are a list of names")
   vpMultiCueSettings settings;
   settings.cues = 4;
   CHECK_THAT(messageOf([&] { settings.check(); }), ContainsSubstring("cues is 4"));
+}
+
+TEST_CASE("The search has a budget")
+{
+  CHECK(readJson(R"({"searchBudget": 33.5})").searchBudget == 33.5);
+  CHECK(readJson("{}", unusual()).searchBudget == unusual().searchBudget);
+  for (const std::string value : {"-1", "10001", R"("33")", "null", "{}"}) {
+    CHECK_THAT(refusedJson("{\"searchBudget\": " + value + "}"), ContainsSubstring("searchBudget"));
+  }
 }
 
 TEST_CASE("The search is on or off")
@@ -270,11 +279,10 @@ TEST_CASE("What was written is read again to the last digit, whatever the defaul
 
 TEST_CASE("What is not known is named, with what is")
 {
-  CHECK_THAT(
-      refusedJson(R"({"edges": {}})"),
-      ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
-          ContainsSubstring(
-              "cues, camera, edge, hypotheses, particles, view, klt, color, prediction, search, symmetries, lod"));
+  CHECK_THAT(refusedJson(R"({"edges": {}})"),
+             ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
+                 ContainsSubstring("cues, camera, edge, hypotheses, particles, view, klt, color, prediction, search, "
+                                   "searchBudget, symmetries, lod"));
   CHECK_THAT(refusedJson(R"({"edge": {"Range": 3}})"),
              ContainsSubstring("'Range' is not known in 'edge'") &&
                  ContainsSubstring("range, contrast, mu1, mu2, maskSize, candidates"));

@@ -103,6 +103,7 @@ inline vpMultiCueSettings unusual()
   settings.prediction = {1. / 3., 2. / 3., 4. / 3., 5. / 3., 7. / 3., false};
   settings.frameInterval = 1. / 70.;
   settings.searches = true;
+  settings.searchBudget = 1000. / 7.;
   settings.symmetries = "/objects/models_info.json";
   settings.symmetricObject = 4000000005U;
   settings.useLod = true;
@@ -172,9 +173,9 @@ inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
   return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses &&
          a.particles == b.particles && a.view == b.view && a.klt == b.klt && a.cues == b.cues && a.color == b.color &&
          a.predicts == b.predicts && a.prediction == b.prediction && a.frameInterval == b.frameInterval &&
-         a.searches == b.searches && a.symmetries == b.symmetries && a.symmetricObject == b.symmetricObject &&
-         a.useLod == b.useLod && a.minLineLength == b.minLineLength && a.minPolygonArea == b.minPolygonArea &&
-         a.clipToImage == b.clipToImage;
+         a.searches == b.searches && a.searchBudget == b.searchBudget && a.symmetries == b.symmetries &&
+         a.symmetricObject == b.symmetricObject && a.useLod == b.useLod && a.minLineLength == b.minLineLength &&
+         a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
 }
 END_VISP_NAMESPACE
 

@@ -305,6 +305,7 @@ const std::vector<Entry> &settingsTable()
       {"prediction", "longestGap", ofPrediction<&Prediction::longestGap>, above(0., infinite, " seconds")},
       {"prediction", "smooth", ofPrediction<&Prediction::smooth>, {}},
       {"search", "", &ofSettings<&Settings::searches>, {}},
+      {"searchBudget", "", &ofSettings<&Settings::searchBudget>, between(0., 10000., " milliseconds")},
       {"symmetries", "from", &ofSettings<&Settings::symmetries>, {}},
       {"symmetries", "object", &ofSettings<&Settings::symmetricObject>,
        between(0., std::numeric_limits<unsigned int>::max())},

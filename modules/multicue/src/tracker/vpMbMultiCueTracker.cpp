@@ -92,6 +92,7 @@ template <typename Pixel> void vpMbMultiCueTracker::trackImage(const vpImage<Pix
   requireTrackable(I.getWidth(), I.getHeight());
   vpTrackingTimings &timings = m_impl->timings;
   m_impl->particles.adaptNumber(timings);
+  m_impl->searchBudget.startFrame();
   timings = vpTrackingTimings();
   const vpStopwatch whole(timings.total);
   const auto frame = [this, &I, &timings] {

@@ -197,6 +197,7 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   settings.prediction = m_impl->kalman.settings();
   settings.frameInterval = m_impl->frameInterval;
   settings.searches = m_impl->searches;
+  settings.searchBudget = m_impl->searchBudget.get();
   settings.symmetries = m_impl->symmetries.from();
   settings.symmetricObject = m_impl->symmetries.object();
   settings.useLod = useLodGeneral;
@@ -235,6 +236,7 @@ void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)
   setPrediction(settings.predicts, settings.prediction);
   setFrameInterval(settings.frameInterval);
   setSearch(settings.searches);
+  setSearchBudget(settings.searchBudget);
   m_impl->updateMe();
   angleAppears = vpMath::rad(settings.view.appearAngle);
   angleDisappears = vpMath::rad(settings.view.disappearAngle);

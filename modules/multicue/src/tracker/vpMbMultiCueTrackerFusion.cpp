@@ -268,6 +268,16 @@ void vpMbMultiCueTracker::setSearch(bool flag)
   m_impl->searches = flag;
 }
 
+void vpMbMultiCueTracker::setSearchBudget(double milliseconds)
+{
+  m_impl->searchBudget.set(milliseconds);
+}
+
+double vpMbMultiCueTracker::getSearchBudget() const
+{
+  return m_impl->searchBudget.get();
+}
+
 void vpMbMultiCueTracker::setFrameInterval(double seconds)
 {
   if (!(seconds > 0.) || !std::isfinite(seconds)) {

@@ -73,7 +73,7 @@ void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
     search.scatter({mode.cMo}, vpPoseSearch::same(), modeNumber);
   }
   impl.settle(search);
-  if (attemptBest(frame, search)) {
+  if (attemptBest(frame, search) || impl.searchBudget.isSpent()) {
     return;
   }
   // Colours led away from the object, or there are none.
@@ -91,30 +91,38 @@ void vpMbMultiCueTracker::searchNear(const vpCueFrame &frame)
 bool vpMbMultiCueTracker::attemptBest(const vpCueFrame &frame, vpPoseSearch &search, bool byColors)
 {
   search.keepBest(mostAttempts, vpPoseSearch::same());
-  const std::vector<vpPoseCandidate> &best = search.candidates();
-  return std::any_of(best.begin(), best.end(),
-                     [&](const vpPoseCandidate &candidate) { return attemptFrom(frame, candidate.cMo, byColors); });
+  bool isEnough = false;
+  for (const vpPoseCandidate &candidate : search.candidates()) {
+    isEnough = attemptFrom(frame, candidate.cMo, byColors);
+    if (isEnough || m_impl->searchBudget.isSpent()) {
+      break;
+    }
+  }
+  return isEnough;
 }
 
 // All around and in all of the image; the best poses of the frames before are among the starts.
 void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  if (searchDetected(frame)) {
+  if (searchDetected(frame) || impl.searchBudget.isSpent()) {
     return;
   }
+  const double begin = impl.searchBudget.elapsed();
+  const std::size_t number = impl.searchBudget.number(wideNumber);
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
   search.setSymmetries(impl.symmetries.get());
   const double growth = 1. + spreadPerFrame * impl.lostFrames;
   const vpPoseSearch::Spread spread = vpPoseSearch::near().grown(growth);
   search.setPrior(impl.trusted, spread, vpPoseSearch::usualPrior);
-  search.scatter({impl.expectedPose, impl.trusted}, spread, wideNumber / 4);
-  impl.scatterOverBlobs(frame, search, spread.rotation, wideNumber);
+  search.scatter({impl.expectedPose, impl.trusted}, spread, number / 4);
+  impl.scatterOverBlobs(frame, search, spread.rotation, number);
   for (const vpPoseCandidate &candidate : impl.searched) {
     search.scatter({candidate.cMo}, vpPoseSearch::near(), children / mostAttempts);
   }
   impl.settle(search);
+  impl.searchBudget.learn(begin, impl.searchBudget.elapsed() - begin);
   attemptBest(frame, search);
   impl.searched = search.candidates();
   impl.tracks.noteSearch();

@@ -69,7 +69,7 @@ bool vpMbMultiCueTracker::followOthers(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   const std::size_t number = impl.tracks.tracks().size(); // Before this frame.
   bool isEnough = false;
-  for (std::size_t i = 1; i < number; ++i) {
+  for (std::size_t i = 1; i < number && !impl.searchBudget.isSpent(); ++i) {
     impl.usesPoints = false;
     const vpHomogeneousMatrix cMo = impl.tracks.tracks()[i].cMo;
     impl.tracks.follow(i);

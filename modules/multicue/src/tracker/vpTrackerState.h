@@ -11,6 +11,7 @@
 #include "tracker/vpPoseTracks.h"
 #include "tracker/vpPoseUncertainty.h"
 #include "tracker/vpRoughStart.h"
+#include "tracker/vpSearchBudget.h"
 #include "tracker/vpTextureSupport.h"
 #include "tracker/vpTrackerSymmetries.h"
 
@@ -204,6 +205,7 @@ public:
 
   // Search for poses.
   bool searches = false;
+  vpSearchBudget searchBudget;
   std::unique_ptr<vpViewSphere> sphere;
   vpOrientedDistanceMap distanceMap;
   vpColorOddsMap oddsMap;

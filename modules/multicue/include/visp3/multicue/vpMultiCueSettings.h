@@ -30,6 +30,7 @@ struct VISP_EXPORT vpMultiCueSettings
   vpPoseKalmanSettings prediction; //!< How the object is taken to move.
   double frameInterval = 1. / 30.; //!< Time between two images, seconds, > 0.
   bool searches = false;           //!< Look for a lost object everywhere, see vpMbMultiCueTracker::setSearch().
+  double searchBudget = 0.;        //!< See vpMbMultiCueTracker::setSearchBudget(), milliseconds, [0, 10000].
   //! Poses that look alike: "none", "find" (vpFindSymmetries()) or the path of a models_info.json; empty: as
   //! vpMbMultiCueTracker::setSymmetries() says.
   std::string symmetries;
@@ -73,6 +74,7 @@ struct VISP_EXPORT vpMultiCueSettings
   - prediction: enabled, frameInterval, translationWander, rotationWander, startTranslation, startRotation, longestGap,
     smooth;
   - search: true or false, no object;
+  - searchBudget: a number, no object;
   - symmetries: from ("none", "find", or the path of a models_info.json, from the folder of the settings' file), object;
   - lod: use, minLineLength, minPolygonArea,
 
