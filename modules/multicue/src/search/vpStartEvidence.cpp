@@ -14,9 +14,11 @@ const double usualDeviation = 0.05;
 const double leastAdvantage = 2.4;
 const double perTry = 0.3;
 const unsigned int mostTries = 6;
+// What deceives seldom does so in several images at the same pose; they are alike, though: not the root.
+const double againPower = 0.25;
 const double leastEdgeAdvantage = 1.1;
 // Correlation with the model's colours: an object of the same shape and other colours has about 0.
-const double leastModelColors = 0.08;
+const double leastModelColors = 0.12;
 const double leastEdges = 0.57;
 // The fewer of the edges are found below this share, the more of an advantage is needed.
 const double usualEdges = 0.69;
@@ -64,7 +66,8 @@ double vpStartEvidence::neededAdvantage() const
 {
   const double missing = m_support.hasEdges ? std::max(0., usualEdges - mean(m_support.edges)) : 0.;
   const double again = perTry * (std::min(std::max(m_tries, 1U), mostTries) - 1U);
-  return leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage + again) + perMissingEdges * missing;
+  const double once = leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage + again);
+  return once / std::pow(1. + m_again, againPower) + perMissingEdges * missing;
 }
 
 bool vpStartEvidence::isEnough(double strict) const

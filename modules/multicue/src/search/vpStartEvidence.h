@@ -27,6 +27,8 @@ public:
   void clear() { *this = vpStartEvidence(); }
   // In how many images the object was looked for: the more often, the likelier one of them deceives.
   void setTries(unsigned int tries) { m_tries = tries; }
+  // Of the same pose in one more image in which it was looked for.
+  void noteFoundAgain() { ++m_again; }
   // Of one more image. trust: of the model's colours, see vpStartSearch.
   void add(const vpStartSearch::Value &value, const std::vector<vpStartSearch::Value> &clutter, const Support &support,
            double trust);
@@ -43,6 +45,7 @@ private:
   double neededAdvantage() const;
 
   unsigned int m_tries = 1;
+  unsigned int m_again = 0;
   std::size_t m_frames = 0;
   double m_total = 0.;
   double m_modelColors = 0.;

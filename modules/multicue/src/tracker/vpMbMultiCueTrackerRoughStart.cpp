@@ -20,11 +20,14 @@ const double foundWeight = 0.5;
 const double colorWeight = 0.5;
 // Of what is needed in the end, for a first look.
 const double firstShare = 0.8;
+const double keptShare = 0.5; // For what is refused to count where it is found again.
 const unsigned int placesAtStart = 12;
 const unsigned int placesAfter = 6;
 const unsigned int framesToConfirm = 3;
 const unsigned int mostFrames = 6;
 const double spreadPerFrame = 0.15;
+// Squared, in units of what particles of one mode are apart; the object may move from image to image.
+const double samePlace = 4.;
 
 const vpHomogeneousMatrix &heaviest(const std::vector<vpWeightedPose> &poses)
 {
@@ -196,8 +199,15 @@ bool vpMbMultiCueTracker::takeStart(const vpCueFrame &frame)
     refineFused(frame); // So that all cues are matched.
     m_cMo = cMo;
   }
-  rough.evidence.clear();
-  rough.evidence.setTries(rough.tries);
+  const vpHomogeneousMatrix cMb = m_cMo * impl.centreFrame();
+  if (rough.evidence.isEnough(keptShare) && impl.rivalDistance(cMb, rough.refused) < samePlace) {
+    rough.evidence.noteFoundAgain();
+  } else {
+    rough.evidence.clear();
+    rough.firstTry = rough.tries;
+  }
+  rough.refused = cMb;
+  rough.evidence.setTries(rough.firstTry);
   addEvidence(frame, placesAtStart);
   const std::string missing = rough.evidence.text(firstShare);
   rough.phase = missing.empty() ? vpRoughStart::UNCONFIRMED : vpRoughStart::REFUSED;
