@@ -12,7 +12,7 @@ TEST_CASE("Without a limit everything is looked for", "[search-budget]")
 {
   vpSearchBudget budget;
   budget.startFrame();
-  budget.learn(0., 1e6);
+  budget.learn(2000, 0., 1e6);
   CHECK(budget.number(2000) == 2000);
   CHECK_FALSE(budget.isSpent());
 }
@@ -24,14 +24,15 @@ TEST_CASE("The number of poses follows the time that a search takes", "[search-b
   const double each = 0.05; // Milliseconds.
   const double before = 20.;
   for (unsigned int i = 0; i < 20; ++i) {
-    budget.learn(before, each * static_cast<double>(budget.number(100000)));
+    const std::size_t number = budget.number(100000);
+    budget.learn(number, before, each * static_cast<double>(number));
   }
   // Half of what is left for the search.
   CHECK(static_cast<double>(budget.number(100000)) == Approx(0.5 * (60. - before) / each).epsilon(0.01));
   CHECK(budget.number(300) == 300);
 
   for (unsigned int i = 0; i < 20; ++i) {
-    budget.learn(70., 10.);
+    budget.learn(budget.number(2000), 70., 10.);
   }
   CHECK(budget.number(2000) == 100);
 }

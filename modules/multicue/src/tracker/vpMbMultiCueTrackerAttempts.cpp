@@ -58,7 +58,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     // to the last trusted pose is likelier.
     const double unknown = vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
     value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
-    value = estimated ? impl.addToTracks(m_cMo, value) : value;
+    value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
   }
   impl.bestIsLast = estimated && value > impl.best.value;
   if (impl.bestIsLast) {

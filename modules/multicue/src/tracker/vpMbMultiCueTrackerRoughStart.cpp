@@ -204,10 +204,9 @@ bool vpMbMultiCueTracker::takeStart(const vpCueFrame &frame)
     rough.evidence.noteFoundAgain();
   } else {
     rough.evidence.clear();
-    rough.firstTry = rough.tries;
+    rough.evidence.setTries(rough.tries);
   }
   rough.refused = cMb;
-  rough.evidence.setTries(rough.firstTry);
   addEvidence(frame, placesAtStart);
   const std::string missing = rough.evidence.text(firstShare);
   rough.phase = missing.empty() ? vpRoughStart::UNCONFIRMED : vpRoughStart::REFUSED;

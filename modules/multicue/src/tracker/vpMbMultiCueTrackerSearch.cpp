@@ -122,7 +122,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
     search.scatter({candidate.cMo}, vpPoseSearch::near(), children / mostAttempts);
   }
   impl.settle(search);
-  impl.searchBudget.learn(begin, impl.searchBudget.elapsed() - begin);
+  impl.searchBudget.learn(number, begin, impl.searchBudget.elapsed() - begin);
   attemptBest(frame, search);
   impl.searched = search.candidates();
   impl.tracks.noteSearch();

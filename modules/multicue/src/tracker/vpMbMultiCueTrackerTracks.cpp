@@ -10,10 +10,11 @@ namespace {
 const double insideToCompare = 0.7;
 } // namespace
 
-bool vpMbMultiCueTracker::Impl::isSameTrack(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo) const
+vpPoseTracks::Same vpMbMultiCueTracker::Impl::sameTrack() const
 {
-  const vpHomogeneousMatrix oMb = centreFrame();
-  return rivalDistance(c1Mo * oMb, c2Mo * oMb) < 1.;
+  return [this, oMb = centreFrame()](const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo) {
+    return rivalDistance(c1Mo * oMb, c2Mo * oMb) < 1.;
+  };
 }
 
 // The first attempts of a frame go on from where the last one left.
@@ -29,11 +30,6 @@ void vpMbMultiCueTracker::Impl::beginTracks(const vpHomogeneousMatrix &cMo)
   tracks.follow(0);
 }
 
-double vpMbMultiCueTracker::Impl::addToTracks(const vpHomogeneousMatrix &cMo, double value)
-{
-  return tracks.add(cMo, value, [this](const auto &c1Mo, const auto &c2Mo) { return isSameTrack(c1Mo, c2Mo); });
-}
-
 // What was believed of the best pose of this frame, which may not be the one that was followed.
 void vpMbMultiCueTracker::Impl::chooseTrack()
 {
@@ -41,8 +37,7 @@ void vpMbMultiCueTracker::Impl::chooseTrack()
     tracks.clear();
     return;
   }
-  tracks.choose(best.cMo, insideShare(best.cMo) >= insideToCompare,
-                [this](const auto &c1Mo, const auto &c2Mo) { return isSameTrack(c1Mo, c2Mo); });
+  tracks.choose(best.cMo, insideShare(best.cMo) >= insideToCompare, sameTrack());
   const vpPoseTracks::Track &chosen = tracks.chosen();
   belief = chosen.belief;
   confirmations = chosen.confirmations;

@@ -36,10 +36,10 @@ double grown(double frames)
   return std::min(frames + 1., mostFrames);
 }
 
-// With what it explains in this frame.
-double meanOf(const vpPoseTracks::Track &track)
+// With what it explains in one more frame.
+double meanWith(const vpPoseTracks::Track &track, double value)
 {
-  return track.mean + (track.value - track.mean) / grown(track.frames);
+  return track.mean + (value - track.mean) / grown(track.frames);
 }
 } // namespace
 
@@ -77,8 +77,6 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, const Sam
     m_tracks.push_back(found(cMo));
   }
   Track &track = m_tracks[index];
-  Track attempt = track;
-  attempt.value = value;
   if (!track.isSeen) {
     track.before = track.cMo;
   }
@@ -87,7 +85,7 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, const Sam
     track.value = value;
     track.isSeen = true;
   }
-  return standing(meanOf(attempt), grown(track.frames));
+  return standing(meanWith(track, value), grown(track.frames));
 }
 
 // What each track explains in this frame is told to it.
@@ -97,7 +95,7 @@ void vpPoseTracks::endFrame()
   const auto ends = [](const Track &track) { return !track.isSeen || track.value < leastValue; };
   m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), ends), m_tracks.end());
   for (Track &track : m_tracks) {
-    track.mean = meanOf(track);
+    track.mean = meanWith(track, track.value);
     track.frames = grown(track.frames);
     track.isSeen = false;
   }

@@ -41,8 +41,7 @@ struct vpRoughStart
   std::vector<vpWeightedPose> candidates;
   vpPoseSearch::Spread spread; // About them.
   unsigned int tries = 0;      // Images in which the object was looked for about them.
-  unsigned int firstTry = 0;   // That found the pose which was found again since.
-  vpHomogeneousMatrix refused; // The pose of the image before.
+  vpHomogeneousMatrix refused; // Of the image before, cMb with b at the object's middle.
   vpStartSearch search;
   vpStartEvidence evidence;
 

@@ -10,7 +10,6 @@ BEGIN_VISP_NAMESPACE
 namespace {
 const double firstNumber = 500.;
 const double leastNumber = 100.;
-const double mostNumber = 1e5;
 const double longest = 10000.; // Milliseconds.
 // Of the time that is left when a search begins: its best poses have to be estimated, too.
 const double shareOfSearch = 0.5;
@@ -31,11 +30,11 @@ std::size_t vpSearchBudget::number(std::size_t most) const
   return isLimited() ? std::min(static_cast<std::size_t>(m_number), most) : most;
 }
 
-void vpSearchBudget::learn(double begin, double duration)
+void vpSearchBudget::learn(std::size_t number, double begin, double duration)
 {
   const double allowed = shareOfSearch * std::max(m_milliseconds - begin, 0.);
   const double change = duration > 0. ? std::min(std::max(allowed / duration, 0.5), 2.) : 1.;
-  m_number = std::min(std::max(change * m_number, leastNumber), mostNumber);
+  m_number = std::max(change * static_cast<double>(number), leastNumber);
 }
 
 END_VISP_NAMESPACE

@@ -24,9 +24,8 @@ public:
   bool isSpent() const { return isLimited() && elapsed() >= m_milliseconds; }
   //! Of the poses that a search is to look at. \param most Without a limit.
   std::size_t number(std::size_t most) const;
-  //! A search that began so many milliseconds after the frame took this time, with the number of poses that it was
-  //! told.
-  void learn(double begin, double duration);
+  //! A search with so many poses that began so many milliseconds after the frame took this time.
+  void learn(std::size_t number, double begin, double duration);
   //! Since the frame began, milliseconds.
   double elapsed() const { return std::chrono::duration<double, std::milli>(Clock::now() - m_begin).count(); }
 

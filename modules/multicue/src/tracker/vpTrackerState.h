@@ -239,9 +239,8 @@ public:
   unsigned int confirmations = 0;       // Frames that explained a pose on end since the object was lost.
   vpPoseTracks tracks;                  // While it has to be confirmed.
   //! True where two poses are followed as one.
-  bool isSameTrack(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo) const;
+  vpPoseTracks::Same sameTrack() const;
   void beginTracks(const vpHomogeneousMatrix &cMo);
-  double addToTracks(const vpHomogeneousMatrix &cMo, double value);
   void chooseTrack();
   void endTracks(const vpHomogeneousMatrix &cMo);
 

@@ -247,8 +247,8 @@ public:
     Limits the time of frames that look for the object, see setSearch(). The number of poses that are looked at
     everywhere, 100 to 2000, follows the time that the last such frames took, and nothing more is begun once the time is
     spent; what was begun is ended, so that single frames take longer. With fewer poses a lost object may be found
-    later. The same images then no longer give the same poses to the last bit. A rough start is not limited. \param
-    milliseconds Of a frame, [0, 10000]; 0, the default: no limit. \throw vpException where it is outside.
+    later. The same images then no longer give the same poses to the last bit. A rough start is not limited.
+    \param milliseconds Of a frame, [0, 10000]; 0, the default: no limit. \throw vpException where it is outside.
   */
   void setSearchBudget(double milliseconds);
   double getSearchBudget() const;
