@@ -18,7 +18,8 @@ bool isSame(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo)
 }
 
 //! A frame in which a search finds poses with these values; those that are followed stay where they are.
-void frame(vpPoseTracks &tracks, const std::vector<std::pair<double, double>> &found, bool isSeen = true)
+void frame(vpPoseTracks &tracks, const std::vector<std::pair<double, double>> &found,
+           vpPoseTracks::Seen seen = vpPoseTracks::Seen::WELL)
 {
   double best = -1.;
   vpHomogeneousMatrix chosen;
@@ -30,7 +31,7 @@ void frame(vpPoseTracks &tracks, const std::vector<std::pair<double, double>> &f
     }
   }
   tracks.noteSearch();
-  tracks.choose(chosen, isSeen, isSame);
+  tracks.choose(chosen, seen, isSame);
 }
 
 //! Follows each track to its own pose. \param valueAt What is explained at a place.
@@ -52,7 +53,7 @@ template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
     }
   }
   tracks.noteSearch();
-  tracks.choose(chosen, true, isSame);
+  tracks.choose(chosen, vpPoseTracks::Seen::WELL, isSame);
 }
 
 double chosenAt(vpPoseTracks &tracks)
@@ -82,7 +83,7 @@ TEST_CASE("One better image does not move a pose that was followed, some on end 
   followOld();
   const double old = tracks.add(at(0.), 0.7, isSame);
   CHECK(tracks.add(at(1.), 0.9, isSame) < old);
-  tracks.choose(at(0.), true, isSame);
+  tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
   CHECK(chosenAt(tracks) == 0.);
   REQUIRE(tracks.tracks().size() == 2);
 
@@ -117,13 +118,13 @@ TEST_CASE("A lead over what was looked for counts by the frame", "[pose-tracks]"
   {
     tracks.add(at(0.), 0.7, isSame);
     tracks.add(at(1.), 0.4, isSame);
-    tracks.choose(at(0.), true, isSame);
+    tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
     CHECK(tracks.lead() == 0.);
     CHECK(tracks.ahead() == 0);
   }
   SECTION("not where little of the object is seen")
   {
-    frame(tracks, {{0., 0.7}, {1., 0.4}}, false);
+    frame(tracks, {{0., 0.7}, {1., 0.4}}, vpPoseTracks::Seen::ENOUGH);
     CHECK(tracks.ahead() == 0);
   }
   SECTION("not where another one comes near")
@@ -153,7 +154,7 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
   tracks.add(at(0.02), 0.8, isSame);
   tracks.followNone();
   tracks.add(at(1.), 0.8, isSame);
-  tracks.choose(at(0.02), true, isSame);
+  tracks.choose(at(0.02), vpPoseTracks::Seen::WELL, isSame);
   CHECK(tracks.chosen().belief.probability() == Approx(0.9));
   CHECK(tracks.chosen().before[0][3] == 0.);
   CHECK(tracks.tracks()[1].belief.probability() < 0.5);
@@ -163,7 +164,57 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
 TEST_CASE("A pose that was not among the estimated ones is a track of its own", "[pose-tracks]")
 {
   vpPoseTracks tracks = followedFor(3);
-  tracks.choose(at(5.), true, isSame);
+  tracks.choose(at(5.), vpPoseTracks::Seen::WELL, isSame);
   CHECK(chosenAt(tracks) == 5.);
   CHECK(tracks.lead() == 0.);
+}
+
+TEST_CASE("Others have to be looked for while enough is seen, and to have some frames", "[pose-tracks]")
+{
+  const auto frameWithout = [](vpPoseTracks &tracks, vpPoseTracks::Seen seen) {
+    tracks.follow(0);
+    tracks.add(tracks.chosen().cMo, 0.7, isSame);
+    tracks.followNone();
+    tracks.choose(tracks.tracks()[0].cMo, seen, isSame);
+  };
+  vpPoseTracks tracks;
+  CHECK_FALSE(tracks.isCompared());
+  frame(tracks, {{0., 0.7}}, vpPoseTracks::Seen::LITTLE);
+  CHECK_FALSE(tracks.wasCompared());
+  for (unsigned int i = 0; i < manyFrames; ++i) {
+    frameWithout(tracks, vpPoseTracks::Seen::WELL);
+    CHECK_FALSE(tracks.wasCompared());
+  }
+  SECTION("once is enough")
+  {
+    tracks.noteOthers();
+    for (unsigned int i = 0; i < 3; ++i) {
+      frameWithout(tracks, vpPoseTracks::Seen::ENOUGH);
+      CHECK(tracks.wasCompared());
+      CHECK_FALSE(tracks.isCompared());
+    }
+    frameWithout(tracks, vpPoseTracks::Seen::LITTLE);
+    CHECK(tracks.isCompared());
+  }
+  SECTION("one that was just found may be better")
+  {
+    for (unsigned int i = 0; i < manyFrames; ++i) {
+      frame(tracks, {{0., 0.7}});
+    }
+    CHECK(tracks.isCompared());
+    for (unsigned int i = 0; i < 3; ++i) {
+      frame(tracks, {{0., 0.7}, {1., 0.65}});
+      CHECK_FALSE(tracks.isCompared());
+    }
+    frame(tracks, {{0., 0.7}, {1., 0.65}});
+    CHECK(tracks.isCompared());
+  }
+  SECTION("one that explains less is none")
+  {
+    for (unsigned int i = 0; i < manyFrames; ++i) {
+      frame(tracks, {{0., 0.7}});
+    }
+    frame(tracks, {{0., 0.7}, {1., 0.5}});
+    CHECK(tracks.isCompared());
+  }
 }

@@ -19,9 +19,14 @@ const double shareOfStart = 0.8;
 const double usualOfSurface = 0.6; // Of one that was seen once.
 const double steadyVariance = 0.15 * 0.15;
 const double leastReliability = 0.2; // Of a cue whose agreement comes and goes.
+// After a loss the object may be seen from sides and in light that colours and surface were not learnt from, and they
+// speak for wrong poses; edges do not. What any pose has of the usual agreement with edges is chance.
+const double othersAfterLoss = 0.25;
+const double edgesByChance = 0.25;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
 const double usualFallRate = 0.02;
+const double usualCountRate = 0.1;
 const double unsteadinessRate = 0.05;
 
 // 1 for a distance of 0, falling to 0 at the reach.
@@ -77,29 +82,34 @@ double vpMbMultiCueTracker::explainedShare()
   Agreement &agreement = impl.agreement;
   double sum = 0.;
   double cues = 0.;
-  const auto add = [&](double value, double usual, double weight) {
-    sum += weight * impl.countedShare(value, usual);
+  const double others = impl.mustConfirm ? othersAfterLoss : 1.;
+  const auto add = [&](double share, double weight) {
+    sum += weight * share;
     cues += weight;
   };
   if (impl.uses(EDGE_TRACKER)) {
     agreement.edges = edgeAgreement();
-    add(agreement.edges, impl.usual.edges, impl.reliability(impl.unsteadiness.edges));
+    agreement.edgeCount = static_cast<double>(impl.edges.matches().size());
+    const double chance = impl.mustConfirm ? edgesByChance : 0.;
+    add((impl.countedShare(agreement.edges, impl.usual.edges) - chance) / (1. - chance),
+        impl.reliability(impl.unsteadiness.edges));
   }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     agreement.color = impl.color.evidenceAt(m_cMo);
-    add(agreement.color, impl.usual.color, impl.reliability(impl.unsteadiness.color));
+    const double share = impl.countedShare(agreement.color, impl.usual.color);
+    add(impl.mustConfirm ? std::max(share, 0.) : share, others * impl.reliability(impl.unsteadiness.color));
   }
   const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
   agreement.surface = surface.correlation;
   agreement.surfaceKnown = surface.known;
   agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
   if (impl.usual.surface > 0.) {
-    add(std::max(surface.correlation, 0.), impl.usual.surface,
-        agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
+    add(impl.countedShare(std::max(surface.correlation, 0.), impl.usual.surface),
+        others * agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
   }
   if (impl.uses(KLT_TRACKER) && !(cues > 0.)) {
     agreement.points = pointAgreement();
-    add(agreement.points, impl.usual.points, 1.);
+    add(impl.countedShare(agreement.points, impl.usual.points), 1.);
   }
   impl.share = {sum, cues};
   return impl.explainedBy(impl.share, m_cMo);
@@ -112,6 +122,7 @@ void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
   if (impl.uses(EDGE_TRACKER)) {
     impl.edges.match(frame, *impl.view);
     impl.usual.edges = shareOfStart * edgeAgreement();
+    impl.usual.edgeCount = static_cast<double>(impl.edges.matches().size());
   }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     impl.usual.color = shareOfStart * impl.color.evidenceAt(m_cMo);
@@ -133,6 +144,7 @@ void vpMbMultiCueTracker::learnUsual()
     const double rate = usual > 0. ? (value > usual ? usualRiseRate : usualFallRate) : 1.;
     usual += rate * (value - usual);
   };
+  impl.usual.edgeCount += usualCountRate * (impl.agreement.edgeCount - impl.usual.edgeCount);
   learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);
   learn(impl.agreement.color, impl.usual.color, impl.unsteadiness.color);
   learn(impl.agreement.points, impl.usual.points, impl.unsteadiness.points);

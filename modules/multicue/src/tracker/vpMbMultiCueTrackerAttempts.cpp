@@ -20,6 +20,7 @@ const double contradictingSurface = 0.35;
 const double farPenalty = 0.03;
 const double mostFar = 10.;
 const double toleratedPenalty = 0.05;
+const double unknownAfterLoss = 0.25; // Weight of a surface that was never seen.
 // Of half a turn, or two diameters.
 const double changePenalty = 0.1;
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
@@ -56,8 +57,10 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
   if (impl.mustConfirm) {
     // What was never seen is no evidence for a pose. Half a turn of a symmetric object explains as much: the one nearer
     // to the last trusted pose is likelier.
-    const double unknown = vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
-    value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo);
+    const double unknown =
+        unknownAfterLoss * vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
+    value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo) -
+            impl.fewEdgesPenalty();
     value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
   }
   impl.bestIsLast = estimated && value > impl.best.value;
@@ -65,7 +68,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     impl.best = {m_cMo, share, value, impl.share, impl.usesPoints};
   }
   if (impl.mustConfirm) {
-    return impl.best.explained >= wellExplained && impl.bestIsLast && isDecisive();
+    return impl.best.explained >= wellExplained && impl.bestIsLast && isDecisive() && !impl.mustCompare(m_cMo);
   }
   return std::min(impl.best.explained, impl.best.value + toleratedPenalty) >= wellExplained;
 }
@@ -179,6 +182,7 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
   }
   if (!tryKeyframes(frame, false)) {
     searchEverywhere(frame);
+    impl.tracks.noteOthers();
   }
 }
 

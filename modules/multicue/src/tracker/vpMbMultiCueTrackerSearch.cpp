@@ -24,6 +24,7 @@ const std::size_t mostAttempts = 4;
 const std::size_t wideNumber = 2000;
 // Of the colours: below it, poses are looked at where they were drawn, too.
 const double leastReliability = 0.6;
+const double othersByEdges = 0.15; // What colours and surface count in a search by edges.
 const std::size_t mostBlobs = 4;
 // Side of a window that the object fills, in projected diameters.
 const double windowShare = 0.5;
@@ -108,6 +109,9 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   if (searchDetected(frame) || impl.searchBudget.isSpent()) {
     return;
   }
+  // Colours that come and go may hide the object: every second search is one by edges.
+  const bool byEdges = impl.uses(EDGE_TRACKER) && impl.reliability(impl.unsteadiness.color) < leastReliability &&
+                       impl.lostFrames % 2 == 1;
   const double begin = impl.searchBudget.elapsed();
   const std::size_t number = impl.searchBudget.number(wideNumber);
   impl.scoreFrame(frame);
@@ -121,9 +125,14 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   for (const vpPoseCandidate &candidate : impl.searched) {
     search.scatter({candidate.cMo}, vpPoseSearch::near(), children / mostAttempts);
   }
-  impl.settle(search);
+  if (byEdges) {
+    impl.weighScore(othersByEdges);
+    impl.settleByScore(search);
+  } else {
+    impl.settle(search);
+  }
   impl.searchBudget.learn(number, begin, impl.searchBudget.elapsed() - begin);
-  attemptBest(frame, search);
+  attemptBest(frame, search, !byEdges);
   impl.searched = search.candidates();
   impl.tracks.noteSearch();
 }

@@ -22,8 +22,7 @@ const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
 // One that is lost again within as many frames was no right one, perhaps.
 const unsigned int fewFrames = 60;
-const double insideToConfirm = 0.4; // Share of the outline that is in the image.
-const double leastInside = 0.3;
+const double leastInside = 0.3; // Share of the outline that is in the image.
 const double trustedBelief = 0.7;
 const double mostLead = 0.25; // That counts, of what a pose explains more than others.
 // Fewer points than this happen to agree anywhere.
@@ -170,7 +169,8 @@ void vpMbMultiCueTracker::confirmState()
   if (!impl.mustConfirm) {
     return;
   }
-  const bool confirms = isExplained && inside >= insideToConfirm && impl.best.explained >= vpPoseTracks::confirming;
+  const bool confirms =
+      isExplained && inside >= Impl::insideToConfirm && impl.best.explained >= vpPoseTracks::confirming;
   impl.confirmations = confirms ? impl.confirmations + 1 : 0;
   impl.lostFrames += confirms ? 0 : 1;
   if (isConfirmed(inside)) {
@@ -185,11 +185,14 @@ void vpMbMultiCueTracker::confirmState()
   }
 }
 
-// By frames on end that explain the pose, or by others that were looked for in vain.
+// By frames on end that explain the pose, or by others that were looked for in vain; not before others were looked for.
 bool vpMbMultiCueTracker::isConfirmed(double inside) const
 {
   const Impl &impl = *m_impl;
-  if (inside >= insideToConfirm && impl.tracks.ahead() >= neededAhead) {
+  if (!impl.tracks.isCompared()) {
+    return false;
+  }
+  if (inside >= Impl::insideToConfirm && impl.tracks.ahead() >= neededAhead) {
     return true;
   }
   const bool isDoubtful = impl.tracks.isContested() || isContradicted();

@@ -3,11 +3,17 @@
 
 #include "tracker/vpTrackerState.h"
 
+#include <algorithm>
+#include <cmath>
+
 BEGIN_VISP_NAMESPACE
 
 namespace {
 // Share of the outline: what is seen of less looks like many poses.
 const double insideToCompare = 0.7;
+// Of a pose with exp(-1) times the usual number of edges, and the most of them that counts.
+const double fewPenalty = 0.1;
+const double mostFewPenalty = 0.3;
 } // namespace
 
 vpPoseTracks::Same vpMbMultiCueTracker::Impl::sameTrack() const
@@ -30,6 +36,21 @@ void vpMbMultiCueTracker::Impl::beginTracks(const vpHomogeneousMatrix &cMo)
   tracks.follow(0);
 }
 
+bool vpMbMultiCueTracker::Impl::mustCompare(const vpHomogeneousMatrix &cMo)
+{
+  return confirmations > 0 && !tracks.wasCompared() && insideShare(cMo) >= insideToConfirm;
+}
+
+// Seen from its edge, an object lies on many a line of the image.
+double vpMbMultiCueTracker::Impl::fewEdgesPenalty() const
+{
+  if (!(usual.edgeCount > 0.)) {
+    return 0.;
+  }
+  const double few = std::log(usual.edgeCount / (agreement.edgeCount + 1.));
+  return std::min(std::max(fewPenalty * few, 0.), mostFewPenalty);
+}
+
 // What was believed of the best pose of this frame, which may not be the one that was followed.
 void vpMbMultiCueTracker::Impl::chooseTrack()
 {
@@ -37,7 +58,11 @@ void vpMbMultiCueTracker::Impl::chooseTrack()
     tracks.clear();
     return;
   }
-  tracks.choose(best.cMo, insideShare(best.cMo) >= insideToCompare, sameTrack());
+  const double inside = insideShare(best.cMo);
+  const auto seen = inside >= insideToCompare   ? vpPoseTracks::Seen::WELL
+                    : inside >= insideToConfirm ? vpPoseTracks::Seen::ENOUGH
+                                                : vpPoseTracks::Seen::LITTLE;
+  tracks.choose(best.cMo, seen, sameTrack());
   const vpPoseTracks::Track &chosen = tracks.chosen();
   belief = chosen.belief;
   confirmations = chosen.confirmations;

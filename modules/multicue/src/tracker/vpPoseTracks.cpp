@@ -15,6 +15,9 @@ const double rightAtFirst = 0.3;    // Of a pose that a search found.
 const double contestedMargin = 0.05;
 const double leastValue = 0.3; // Below it a track ends.
 const double leastLead = 0.1;
+const unsigned int framesToCompare = 4;
+const double youngFrames = 4.; // A track of fewer may be better than its mean, by as much:
+const double youngMargin = 0.1;
 const double leastMean = 0.55; // Of one that is ahead.
 
 double standing(double mean, double frames)
@@ -47,7 +50,7 @@ void vpPoseTracks::clear()
 {
   m_tracks.clear();
   m_followed = none;
-  m_hasSearched = false;
+  m_hasSearched = m_hasOthers = false;
   m_lead = 0.;
 }
 
@@ -116,7 +119,7 @@ void vpPoseTracks::dropDoubles(const Same &isSame)
   m_tracks = std::move(kept);
 }
 
-void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, bool isSeen, const Same &isSame)
+void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, Seen seen, const Same &isSame)
 {
   endFrame();
   const auto best =
@@ -134,9 +137,21 @@ void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, bool isSeen, const Sam
     other.ahead = 0;
   }
   Track &first = m_tracks.front();
-  m_lead = isSeen && m_hasSearched && m_tracks.size() > 1 ? first.mean - m_tracks[1].mean : 0.;
-  m_hasSearched = false;
+  const bool isCompared = first.compared > 0 || (m_hasOthers && seen != Seen::LITTLE);
+  first.compared = isCompared ? first.compared + 1 : 0;
+  m_lead = seen == Seen::WELL && m_hasSearched && m_tracks.size() > 1 ? first.mean - m_tracks[1].mean : 0.;
+  m_hasSearched = m_hasOthers = false;
   first.ahead = m_lead > leastLead && first.mean > leastMean ? first.ahead + 1 : 0;
+}
+
+bool vpPoseTracks::isCompared() const
+{
+  if (m_tracks.empty() || m_tracks.front().compared < framesToCompare) {
+    return false;
+  }
+  return std::none_of(m_tracks.begin() + 1, m_tracks.end(), [this](const Track &other) {
+    return other.frames < youngFrames && other.mean > m_tracks.front().mean - youngMargin;
+  });
 }
 
 bool vpPoseTracks::isContested() const

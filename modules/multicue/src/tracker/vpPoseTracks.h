@@ -24,6 +24,14 @@ public:
   //! True where two poses are the same one, or look alike.
   using Same = std::function<bool(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo)>;
 
+  //! How much of the object is in the image at a pose.
+  enum class Seen
+  {
+    LITTLE, //!< What others would have to explain is not in the image.
+    ENOUGH, //!< Others may be told from it in the next frames.
+    WELL    //!< One image tells others from it.
+  };
+
   //! Value that a frame has to have that confirms a pose.
   static constexpr double confirming = 0.75;
 
@@ -38,6 +46,7 @@ public:
     vpPoseBelief belief;
     unsigned int confirmations = 0; //!< Frames on end that explained it.
     unsigned int ahead = 0;         //!< Frames on end in which no other one came near.
+    unsigned int compared = 0;      //!< Frames since others were looked for; 0 where they were not.
   };
 
   void clear();
@@ -52,14 +61,19 @@ public:
   //! A pose that was estimated in this frame, with what it explains. \return What to compare it by.
   double add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame);
   //! Other poses were looked for in all of this image.
-  void noteSearch() { m_hasSearched = true; }
+  void noteSearch() { m_hasSearched = m_hasOthers = true; }
+  //! Other poses were looked for, as far as there was time for it.
+  void noteOthers() { m_hasOthers = true; }
   //! Ends the frame: the track of this pose comes first, some others are kept where they are as good.
-  //! \param isSeen The pose is one of an object that is in the image for the most part.
-  void choose(const vpHomogeneousMatrix &cMo, bool isSeen, const Same &isSame);
+  void choose(const vpHomogeneousMatrix &cMo, Seen seen, const Same &isSame);
   //! The first one; there is one after choose().
   Track &chosen() { return m_tracks.front(); }
   //! True where another one explains as much.
   bool isContested() const;
+  //! True where others were looked for since enough of the first one is seen.
+  bool wasCompared() const { return !m_tracks.empty() && m_tracks.front().compared > 0; }
+  //! The same, and those that were found had some frames to show that they are better.
+  bool isCompared() const;
   //! By how much the first one explains more than the second, in a frame in which others were looked for; 0 in the
   //! rest.
   double lead() const { return m_lead; }
@@ -75,6 +89,7 @@ private:
   std::vector<Track> m_tracks;
   std::size_t m_followed = none;
   bool m_hasSearched = false; // In this frame.
+  bool m_hasOthers = false;   // The same.
   double m_lead = 0.;
 };
 

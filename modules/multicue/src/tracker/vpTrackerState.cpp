@@ -23,6 +23,8 @@ const double leastExplained = 0.4;
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
 const double rightAtStart = 0.98; // Of a pose that the user gave.
+// What colours and surface count in a search after a loss: other sides are seen, and other light.
+const double othersAfterLoss = 0.5;
 // Places on the surface whose colours are remembered.
 const std::size_t surfacePlaces = 500;
 } // namespace
@@ -184,10 +186,15 @@ void vpMbMultiCueTracker::Impl::scoreRegion(const vpCueFrame &frame, const vpIma
   if (type != EDGE_TRACKER) {
     surface.setFrame(frame);
   }
-  poseScore.setWeights(reliability(unsteadiness.edges), reliability(unsteadiness.color),
-                       reliability(unsteadiness.surface));
+  weighScore(mustConfirm ? othersAfterLoss : 1.);
   poseScore.setImage(uses(EDGE_TRACKER) ? &distanceMap : nullptr, hasColors ? &oddsMap : nullptr,
                      type != EDGE_TRACKER ? &surface : nullptr, frame.camera(), frame.width(), frame.height());
+}
+
+void vpMbMultiCueTracker::Impl::weighScore(double others)
+{
+  poseScore.setWeights(reliability(unsteadiness.edges), others * reliability(unsteadiness.color),
+                       others * reliability(unsteadiness.surface));
 }
 
 void vpMbMultiCueTracker::Impl::forgetImages()

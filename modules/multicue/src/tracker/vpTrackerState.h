@@ -30,6 +30,7 @@ BEGIN_VISP_NAMESPACE
 struct vpMbMultiCueTracker::Agreement
 {
   double edges = 0.;
+  double edgeCount = 0.; //!< How many there are to agree with.
   double color = 0.;
   double points = 0.;
   double surface = 0.;
@@ -81,6 +82,8 @@ public:
   static double reliability(double variance);
   //! Share of the object's outline at a pose that is in the image.
   double insideShare(const vpHomogeneousMatrix &cMo);
+  //! How much colours and surface count beside the edges in a search.
+  void weighScore(double others);
   //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
   double changeSince(const vpHomogeneousMatrix &cMo) const;
   //! Where the object is looked for that is expected at a pose.
@@ -240,6 +243,10 @@ public:
   vpPoseTracks tracks;                  // While it has to be confirmed.
   //! True where two poses are followed as one.
   vpPoseTracks::Same sameTrack() const;
+  //! True where others have to be looked for before a pose that explains the image is confirmed.
+  bool mustCompare(const vpHomogeneousMatrix &cMo);
+  //! What speaks against a pose that shows fewer edges than usual: it may explain a part of what it should.
+  double fewEdgesPenalty() const;
   void beginTracks(const vpHomogeneousMatrix &cMo);
   void chooseTrack();
   void endTracks(const vpHomogeneousMatrix &cMo);
@@ -268,8 +275,9 @@ public:
   std::vector<vpHomogeneousMatrix> attempted; // Poses that attempts of this frame led to.
   static constexpr double longestCoast = 0.5; // Seconds.
   static constexpr double leastTexture =
-      0.15;                                 // A surface of one colour tells no pose from another, and has no corners.
-  static constexpr double leastUsual = 0.4; // What a right pose has at least, whatever the frames before had.
+      0.15; // A surface of one colour tells no pose from another, and has no corners.
+  static constexpr double insideToConfirm = 0.4; // Share of the outline that is in the image.
+  static constexpr double leastUsual = 0.4;      // What a right pose has at least, whatever the frames before had.
   bool bestIsLast = false;
   vpHomogeneousMatrix expectedPose; // Of the object in this frame, before it was looked at.
   vpHomogeneousMatrix startPose;    // Of the attempt that goes on.
