@@ -19,8 +19,10 @@ const double shareOfStart = 0.8;
 const double usualOfSurface = 0.6; // Of one that was seen once.
 const double steadyVariance = 0.15 * 0.15;
 const double leastReliability = 0.2; // Of a cue whose agreement comes and goes.
-// After a loss the object may be seen from sides and in light that colours and surface were not learnt from, and they
-// speak for wrong poses; edges do not. What any pose has of the usual agreement with edges is chance.
+// How much colours and surface count beside the edges: they were learnt from other sides and in other light, and so they
+// speak for wrong poses now and then, most after a loss; edges hardly do. What any pose has of the usual agreement with
+// edges is chance.
+const double othersUsually = 0.4;
 const double othersAfterLoss = 0.25;
 const double edgesByChance = 0.25;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
@@ -82,7 +84,7 @@ double vpMbMultiCueTracker::explainedShare()
   Agreement &agreement = impl.agreement;
   double sum = 0.;
   double cues = 0.;
-  const double others = impl.mustConfirm ? othersAfterLoss : 1.;
+  const double others = impl.mustConfirm ? othersAfterLoss : othersUsually;
   const auto add = [&](double share, double weight) {
     sum += weight * share;
     cues += weight;
@@ -90,14 +92,13 @@ double vpMbMultiCueTracker::explainedShare()
   if (impl.uses(EDGE_TRACKER)) {
     agreement.edges = edgeAgreement();
     agreement.edgeCount = static_cast<double>(impl.edges.matches().size());
-    const double chance = impl.mustConfirm ? edgesByChance : 0.;
-    add((impl.countedShare(agreement.edges, impl.usual.edges) - chance) / (1. - chance),
+    add((impl.countedShare(agreement.edges, impl.usual.edges) - edgesByChance) / (1. - edgesByChance),
         impl.reliability(impl.unsteadiness.edges));
   }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     agreement.color = impl.color.evidenceAt(m_cMo);
-    const double share = impl.countedShare(agreement.color, impl.usual.color);
-    add(impl.mustConfirm ? std::max(share, 0.) : share, others * impl.reliability(impl.unsteadiness.color));
+    add(impl.countedShare(std::max(agreement.color, 0.), impl.usual.color),
+        others * impl.reliability(impl.unsteadiness.color));
   }
   const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
   agreement.surface = surface.correlation;
