@@ -263,3 +263,19 @@ TEST_CASE("The same images give the same bits while the object is searched for",
     CHECK(first.tracker.getTrackingResult().score == second.tracker.getTrackingResult().score);
   }
 }
+
+TEST_CASE("A pose that the edges hold is not lost where light turns the colours", "[recovery]")
+{
+  Tracked tracked(true);
+  for (int i = 13; i <= 22; ++i) {
+    const vpHomogeneousMatrix truth = Tracked::swaying(i);
+    vpImage<vpRGBa> image = tracked.scene.draw(truth);
+    std::for_each(image.bitmap, image.bitmap + image.getSize(), [](vpRGBa &pixel) {
+      pixel = vpRGBa(static_cast<unsigned char>(255 - pixel.R), static_cast<unsigned char>(255 - pixel.G),
+                     static_cast<unsigned char>(255 - pixel.B));
+    });
+    tracked.tracker.track(image);
+    CHECK(tracked.tracker.getTrackingState() != vpTrackingState::LOST);
+    CHECK(tracked.isRight(truth));
+  }
+}

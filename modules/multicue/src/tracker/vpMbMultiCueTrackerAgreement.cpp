@@ -19,11 +19,13 @@ const double shareOfStart = 0.8;
 const double usualOfSurface = 0.6; // Of one that was seen once.
 const double steadyVariance = 0.15 * 0.15;
 const double leastReliability = 0.2; // Of a cue whose agreement comes and goes.
-// How much colours and surface count beside the edges: they were learnt from other sides and in other light, and so they
-// speak for wrong poses now and then, most after a loss; edges hardly do. What any pose has of the usual agreement with
-// edges is chance.
-const double othersUsually = 0.4;
-const double othersAfterLoss = 0.25;
+// How much colours and surface count beside the edges: they were learnt from other sides and in other light, so now and
+// then they speak for wrong poses, most after a loss; edges hardly do. After a loss those that hardly varied count
+// fully, since what does not have them is something else. What any pose has of the usual agreement with edges is
+// chance.
+const double besideEdges = 0.4;
+const double leastBesideEdges = 0.25;
+const double fixedVariance = 0.1 * 0.1;
 const double edgesByChance = 0.25;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
@@ -76,6 +78,16 @@ double vpMbMultiCueTracker::Impl::reliability(double variance)
   return std::max(steadyVariance / (steadyVariance + variance), leastReliability);
 }
 
+// How much colours or surface count whose agreement has this variance.
+double vpMbMultiCueTracker::Impl::weightBesideEdges(double variance) const
+{
+  if (!mustConfirm) {
+    return besideEdges * reliability(variance);
+  }
+  const double fixed = fixedVariance / (fixedVariance + variance);
+  return (leastBesideEdges + (1. - leastBesideEdges) * fixed * fixed) * reliability(variance);
+}
+
 // How well the cues agree with the pose, each as a share of what it had in the trusted frames before. Points count only
 // where there is nothing else: those of what hides the object agree with a wrong pose.
 double vpMbMultiCueTracker::explainedShare()
@@ -84,7 +96,6 @@ double vpMbMultiCueTracker::explainedShare()
   Agreement &agreement = impl.agreement;
   double sum = 0.;
   double cues = 0.;
-  const double others = impl.mustConfirm ? othersAfterLoss : othersUsually;
   const auto add = [&](double share, double weight) {
     sum += weight * share;
     cues += weight;
@@ -98,7 +109,7 @@ double vpMbMultiCueTracker::explainedShare()
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     agreement.color = impl.color.evidenceAt(m_cMo);
     add(impl.countedShare(std::max(agreement.color, 0.), impl.usual.color),
-        others * impl.reliability(impl.unsteadiness.color));
+        impl.weightBesideEdges(impl.unsteadiness.color));
   }
   const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
   agreement.surface = surface.correlation;
@@ -106,7 +117,7 @@ double vpMbMultiCueTracker::explainedShare()
   agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
   if (impl.usual.surface > 0.) {
     add(impl.countedShare(std::max(surface.correlation, 0.), impl.usual.surface),
-        others * agreement.surfaceWeight * impl.reliability(impl.unsteadiness.surface));
+        agreement.surfaceWeight * impl.weightBesideEdges(impl.unsteadiness.surface));
   }
   if (impl.uses(KLT_TRACKER) && !(cues > 0.)) {
     agreement.points = pointAgreement();

@@ -80,6 +80,8 @@ public:
   //! A cue's agreement as a share of the usual one, as far as it counts.
   static double countedShare(double value, double usual);
   static double reliability(double variance);
+  //! The same for colours and surface.
+  double weightBesideEdges(double variance) const;
   //! Share of the object's outline at a pose that is in the image.
   double insideShare(const vpHomogeneousMatrix &cMo);
   //! How much colours and surface count beside the edges in a search.
