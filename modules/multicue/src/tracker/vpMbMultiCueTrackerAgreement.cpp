@@ -103,8 +103,8 @@ double vpMbMultiCueTracker::explainedShare()
   if (impl.uses(EDGE_TRACKER)) {
     agreement.edges = edgeAgreement();
     agreement.edgeCount = static_cast<double>(impl.edges.matches().size());
-    add((impl.countedShare(agreement.edges, impl.usual.edges) - edgesByChance) / (1. - edgesByChance),
-        impl.reliability(impl.unsteadiness.edges));
+    const double share = impl.countedShare(agreement.edges, impl.usual.edges);
+    add(std::max(share - edgesByChance, 0.) / (1. - edgesByChance), impl.reliability(impl.unsteadiness.edges));
   }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     agreement.color = impl.color.evidenceAt(m_cMo);
