@@ -56,6 +56,14 @@ template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
   tracks.choose(chosen, vpPoseTracks::Seen::WELL, isSame);
 }
 
+//! Only the first one is looked at.
+void followFirst(vpPoseTracks &tracks, const vpHomogeneousMatrix &cMo, double value)
+{
+  tracks.follow(0);
+  tracks.add(cMo, value, isSame);
+  tracks.followNone();
+}
+
 double chosenAt(vpPoseTracks &tracks)
 {
   return tracks.chosen().cMo[0][3];
@@ -75,12 +83,7 @@ vpPoseTracks followedFor(unsigned int frames)
 TEST_CASE("One better image does not move a pose that was followed, some on end do", "[pose-tracks]")
 {
   vpPoseTracks tracks = followedFor(6);
-  const auto followOld = [&] {
-    tracks.follow(0);
-    tracks.add(at(0.), 0.7, isSame);
-    tracks.followNone();
-  };
-  followOld();
+  followFirst(tracks, at(0.), 0.7);
   const double old = tracks.add(at(0.), 0.7, isSame);
   CHECK(tracks.add(at(1.), 0.9, isSame) < old);
   tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
@@ -150,9 +153,7 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
   believed.start(0.9);
   vpPoseTracks tracks;
   tracks.begin(at(0.), 0.8, believed);
-  tracks.follow(0);
-  tracks.add(at(0.02), 0.8, isSame);
-  tracks.followNone();
+  followFirst(tracks, at(0.02), 0.8);
   tracks.add(at(1.), 0.8, isSame);
   tracks.choose(at(0.02), vpPoseTracks::Seen::WELL, isSame);
   CHECK(tracks.chosen().belief.probability() == Approx(0.9));
@@ -172,9 +173,7 @@ TEST_CASE("A pose that was not among the estimated ones is a track of its own", 
 TEST_CASE("Others have to be looked for while enough is seen, and to have some frames", "[pose-tracks]")
 {
   const auto frameWithout = [](vpPoseTracks &tracks, vpPoseTracks::Seen seen) {
-    tracks.follow(0);
-    tracks.add(tracks.chosen().cMo, 0.7, isSame);
-    tracks.followNone();
+    followFirst(tracks, tracks.chosen().cMo, 0.7);
     tracks.choose(tracks.tracks()[0].cMo, seen, isSame);
   };
   vpPoseTracks tracks;

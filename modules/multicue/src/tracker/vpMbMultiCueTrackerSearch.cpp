@@ -22,9 +22,7 @@ const std::size_t mostAttempts = 4;
 
 // Everywhere: while the object is lost.
 const std::size_t wideNumber = 2000;
-// Of the colours: below it, poses are looked at where they were drawn, too.
-const double leastReliability = 0.6;
-const double othersByEdges = 0.15; // What colours and surface count in a search by edges.
+const double steadyReliability = 0.6; // Of colours, which below it may lead away from the object.
 const std::size_t mostBlobs = 4;
 // Side of a window that the object fills, in projected diameters.
 const double windowShare = 0.5;
@@ -110,8 +108,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
     return;
   }
   // Colours that come and go may hide the object: every second search is one by edges.
-  const bool byEdges = impl.uses(EDGE_TRACKER) && impl.reliability(impl.unsteadiness.color) < leastReliability &&
-                       impl.lostFrames % 2 == 1;
+  const bool byEdges = impl.uses(EDGE_TRACKER) && impl.hasUnsteadyColors() && impl.lostFrames % 2 == 1;
   const double begin = impl.searchBudget.elapsed();
   const std::size_t number = impl.searchBudget.number(wideNumber);
   impl.scoreFrame(frame);
@@ -126,8 +123,9 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
     search.scatter({candidate.cMo}, vpPoseSearch::near(), children / mostAttempts);
   }
   if (byEdges) {
-    impl.weighScore(othersByEdges);
+    impl.weighScore(true);
     impl.settleByScore(search);
+    impl.weighScore(false);
   } else {
     impl.settle(search);
   }
@@ -156,6 +154,11 @@ double vpMbMultiCueTracker::Impl::insideShare(const vpHomogeneousMatrix &cMo)
   return outline(cMo).inside;
 }
 
+bool vpMbMultiCueTracker::Impl::hasUnsteadyColors() const
+{
+  return reliability(unsteadiness.color) < steadyReliability;
+}
+
 // From poses drawn far and wide to a few that are as good as they can be told from views made beforehand.
 void vpMbMultiCueTracker::Impl::settle(vpPoseSearch &search)
 {
@@ -163,8 +166,8 @@ void vpMbMultiCueTracker::Impl::settle(vpPoseSearch &search)
     settleByScore(search);
     return;
   }
-  if (reliability(unsteadiness.color) < leastReliability) {
-    search.keepCopies(); // Colours may lead away from the object.
+  if (hasUnsteadyColors()) {
+    search.keepCopies(); // Poses are looked at where they were drawn, too.
   }
   search.alignByColors(aligner, 0.15, 2);
   search.alignByColors(aligner, 0.08, 1);

@@ -15,8 +15,7 @@ const double rightAtFirst = 0.3;    // Of a pose that a search found.
 const double contestedMargin = 0.05;
 const double leastValue = 0.3; // Below it a track ends.
 const double leastLead = 0.1;
-const unsigned int framesToCompare = 4;
-const double youngFrames = 4.; // A track of fewer may be better than its mean, by as much:
+const unsigned int framesToCompare = 4; // A track of fewer may be better than its mean, by as much:
 const double youngMargin = 0.1;
 const double leastMean = 0.55; // Of one that is ahead.
 
@@ -150,7 +149,7 @@ bool vpPoseTracks::isCompared() const
     return false;
   }
   return std::none_of(m_tracks.begin() + 1, m_tracks.end(), [this](const Track &other) {
-    return other.frames < youngFrames && other.mean > m_tracks.front().mean - youngMargin;
+    return other.frames < framesToCompare && other.mean > m_tracks.front().mean - youngMargin;
   });
 }
 

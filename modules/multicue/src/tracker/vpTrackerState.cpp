@@ -25,6 +25,7 @@ const double firstSurprise = 0.05 * 0.05;
 const double rightAtStart = 0.98; // Of a pose that the user gave.
 // What colours and surface count in a search after a loss: other sides are seen, and other light.
 const double othersAfterLoss = 0.5;
+const double othersByEdges = 0.15; // The same in one by edges.
 // Places on the surface whose colours are remembered.
 const std::size_t surfacePlaces = 500;
 } // namespace
@@ -186,13 +187,14 @@ void vpMbMultiCueTracker::Impl::scoreRegion(const vpCueFrame &frame, const vpIma
   if (type != EDGE_TRACKER) {
     surface.setFrame(frame);
   }
-  weighScore(mustConfirm ? othersAfterLoss : 1.);
+  weighScore(false);
   poseScore.setImage(uses(EDGE_TRACKER) ? &distanceMap : nullptr, hasColors ? &oddsMap : nullptr,
                      type != EDGE_TRACKER ? &surface : nullptr, frame.camera(), frame.width(), frame.height());
 }
 
-void vpMbMultiCueTracker::Impl::weighScore(double others)
+void vpMbMultiCueTracker::Impl::weighScore(bool byEdges)
 {
+  const double others = byEdges ? othersByEdges : mustConfirm ? othersAfterLoss : 1.;
   poseScore.setWeights(reliability(unsteadiness.edges), others * reliability(unsteadiness.color),
                        others * reliability(unsteadiness.surface));
 }

@@ -79,13 +79,16 @@ public:
   double explainedBy(const Share &cues, const vpHomogeneousMatrix &cMo) const;
   //! A cue's agreement as a share of the usual one, as far as it counts.
   static double countedShare(double value, double usual);
+  //! How much edges count whose agreement with trusted poses has this variance.
   static double reliability(double variance);
-  //! The same for colours and surface.
+  //! How much colours and surface count.
   double weightBesideEdges(double variance) const;
   //! Share of the object's outline at a pose that is in the image.
   double insideShare(const vpHomogeneousMatrix &cMo);
-  //! How much colours and surface count beside the edges in a search.
-  void weighScore(double others);
+  //! Tells poseScore how much each cue counts. \param byEdges In a search in which others are hardly trusted.
+  void weighScore(bool byEdges);
+  //! True where colours come and go with the light.
+  bool hasUnsteadyColors() const;
   //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
   double changeSince(const vpHomogeneousMatrix &cMo) const;
   //! Where the object is looked for that is expected at a pose.
