@@ -48,47 +48,81 @@ std::size_t groupOf(const Eigen::Vector3f &normal)
 }
 } // namespace
 
-// Sums over the places in view: brightness by groups, the rest of the colours in all.
+// Sums over the places in view: brightness about its mean in each group, the rest of the colours about its mean in all.
 struct vpModelColors::Sums
 {
   struct Mean
   {
     float count = 0.F, x = 0.F, y = 0.F;
   };
-  std::array<Mean, groups> brightness;
-  std::array<Mean, 2> tint;
-  float xx = 0.F, yy = 0.F, xy = 0.F, count = 0.F;
+  struct Products
+  {
+    float xx = 0.F, yy = 0.F, xy = 0.F;
+
+    void add(float x, float y)
+    {
+      xx += x * x;
+      yy += y * y;
+      xy += x * y;
+    }
+
+    void centre(const Mean &mean)
+    {
+      if (mean.count > 0.F) {
+        xx -= mean.x * mean.x / mean.count;
+        yy -= mean.y * mean.y / mean.count;
+        xy -= mean.x * mean.y / mean.count;
+      }
+    }
+
+    // Of count places. What noise alone varies by correlates with nothing.
+    float correlation(float count) const
+    {
+      const float least = noise * count;
+      return xy / std::sqrt((std::max(xx, 0.F) + least) * (std::max(yy, 0.F) + least));
+    }
+
+    // How much it says: foil and glints vary by much of which the model's colours know nothing.
+    float weight(float count) const { return std::max(xx, 0.F) / (std::max(yy, 0.F) + noise * count); }
+  };
+  std::array<Mean, groups> brightnessMeans;
+  std::array<Mean, 2> tintMeans;
+  Products brightness, tint;
+  float count = 0.F;
 
   void add(const Shade &model, const Shade &image, std::size_t group)
   {
     for (std::size_t k = 0; k < 3; ++k) {
-      Mean &mean = k == 0 ? brightness[group] : tint[k - 1];
+      Mean &mean = k == 0 ? brightnessMeans[group] : tintMeans[k - 1];
       mean.count += 1.F;
       mean.x += model[k];
       mean.y += image[k];
-      xx += model[k] * model[k];
-      yy += image[k] * image[k];
-      xy += model[k] * image[k];
+      (k == 0 ? brightness : tint).add(model[k], image[k]);
     }
     count += 1.F;
   }
 
-  void subtract(const Mean &mean)
+  void centre()
   {
-    if (mean.count > 0.F) {
-      xx -= mean.x * mean.x / mean.count;
-      yy -= mean.y * mean.y / mean.count;
-      xy -= mean.x * mean.y / mean.count;
+    for (const Mean &mean : brightnessMeans) {
+      brightness.centre(mean);
+    }
+    for (const Mean &mean : tintMeans) {
+      tint.centre(mean);
     }
   }
 
-  void centre()
+  // Of the model's shades, gray levels squared.
+  float variance() const { return count > 0.F ? (std::max(brightness.xx, 0.F) + std::max(tint.xx, 0.F)) / count : 0.F; }
+
+  // Mean of both correlations, each as far as it says something.
+  float correlation() const
   {
-    for (const Mean &mean : brightness) {
-      subtract(mean);
-    }
-    subtract(tint[0]);
-    subtract(tint[1]);
+    const float ofBrightness = brightness.weight(count);
+    const float ofTint = tint.weight(count);
+    const float total = ofBrightness + ofTint;
+    return total > 0.F ? (ofBrightness * brightness.correlation(count) + ofTint * tint.correlation(count)) / total
+                       : 0.F;
   }
 };
 
@@ -177,7 +211,7 @@ double vpModelColors::deviation(bool hasColor) const
     sums.add(shade, shade, place.group);
   }
   sums.centre();
-  return sums.count > 0.F ? std::sqrt(static_cast<double>(std::max(sums.xx, 0.F) / sums.count)) : 0.;
+  return std::sqrt(static_cast<double>(sums.variance()));
 }
 
 // Mean over 2 x 2 pixels.
@@ -240,9 +274,7 @@ double vpModelColors::agreement(const vpHomogeneousMatrix &cMo) const
     return 0.;
   }
   sums.centre();
-  const float least = noise * sums.count;
-  const float size = std::sqrt((std::max(sums.xx, 0.F) + least) * (std::max(sums.yy, 0.F) + least));
-  return static_cast<double>(sums.xy / size);
+  return static_cast<double>(sums.correlation());
 }
 
 END_VISP_NAMESPACE

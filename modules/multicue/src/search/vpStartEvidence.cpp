@@ -18,7 +18,7 @@ const unsigned int mostTries = 6;
 const double againPower = 0.25;
 const double leastEdgeAdvantage = 1.1;
 // Correlation with the model's colours: an object of the same shape and other colours has about 0.
-const double leastModelColors = 0.12;
+const double leastModelColors = 0.25;
 const double leastEdges = 0.57;
 // The fewer of the edges are found below this share, the more of an advantage is needed.
 const double usualEdges = 0.69;

@@ -15,9 +15,10 @@ namespace {
 const unsigned int refinements = 4;
 // A further one has to gain as much.
 const double leastGain = 1e-3;
-// Of the control points that are found and of the model's colours, beside edges anywhere near.
-const double foundWeight = 0.5;
-const double colorWeight = 0.5;
+// Of the control points that are found and of the model's colours, beside edges anywhere near: a model's colours agree
+// with many poses about the right one, and control points with few.
+const double foundWeight = 2.;
+const double colorWeight = 0.25;
 // Of what is needed in the end, for a first look.
 const double firstShare = 0.8;
 const double keptShare = 0.5; // For what is refused to count where it is found again.
