@@ -119,11 +119,21 @@ struct DepthPlane
   float held(float inverse) const { return std::min(std::max(inverse, lowest), highest); }
 };
 
+//! Whether a triangle is seen at a pixel rather than what is there, whatever the order in which they are drawn.
+bool isNearer(float value, float before, int index, int triangleBefore)
+{
+  return value > before || (value == before && index < triangleBefore);
+}
+
 template <bool WithTriangle> void fillSmall(const Triangle &t, int index, const vpFillTarget &target)
 {
   const Edge<std::int32_t> ab(*t.corner[0], *t.corner[1], t.left, t.top);
   const Edge<std::int32_t> bc(*t.corner[1], *t.corner[2], t.left, t.top);
   const Edge<std::int32_t> ca(*t.corner[2], *t.corner[0], t.left, t.top);
+  // Many triangles of a fine mesh miss the only pixel of their box, and need no depth.
+  if (t.left == t.right && t.top == t.bottom && (ab.first | bc.first | ca.first) < 0) {
+    return;
+  }
   const DepthPlane plane(t);
   const float perColumn = static_cast<float>(plane.perColumn);
   for (int y = t.top; y <= t.bottom; ++y) {
@@ -136,7 +146,8 @@ template <bool WithTriangle> void fillSmall(const Triangle &t, int index, const 
         static_cast<std::size_t>(y) * static_cast<std::size_t>(target.width) + static_cast<std::size_t>(t.left);
     for (int x = t.left; x <= t.right; ++x, ++pixel) {
       const float value = plane.held(inverse);
-      if ((inAb | inBc | inCa) >= 0 && value > target.inverseDepth[pixel]) {
+      if ((inAb | inBc | inCa) >= 0 &&
+          isNearer(value, target.inverseDepth[pixel], index, WithTriangle ? target.triangle[pixel] : -1)) {
         target.inverseDepth[pixel] = value;
         if (WithTriangle) {
           target.triangle[pixel] = index;
@@ -188,7 +199,7 @@ template <bool WithTriangle> void fillLarge(const Triangle &t, int index, const 
     int *triangle = WithTriangle ? target.triangle + start : nullptr;
     for (int i = 0; i <= last - first; ++i) {
       const float value = plane.held(atFirst + perColumn * static_cast<float>(i));
-      const bool nearer = value > inverseDepth[i];
+      const bool nearer = isNearer(value, inverseDepth[i], index, WithTriangle ? triangle[i] : -1);
       inverseDepth[i] = nearer ? value : inverseDepth[i];
       if (WithTriangle) {
         triangle[i] = nearer ? index : triangle[i];

@@ -22,7 +22,18 @@ struct vpScreenVertex
   std::int32_t y; //!< Row of the crop, sub-pixels.
 
   vpScreenVertex() = default;
-  vpScreenVertex(double column, double row, double inverseDepth);
+  vpScreenVertex(double column, double row, double inverseDepth)
+      : inverse(inverseDepth), x(toSubPixels(column)), y(toSubPixels(row))
+  {
+  }
+
+  //! The nearest sub-pixel of a coordinate up to the limit.
+  static std::int32_t toSubPixels(double coordinate)
+  {
+    // Made positive for the cast, which cuts towards zero.
+    constexpr std::int32_t offset = static_cast<std::int32_t>(limit) * subPixels;
+    return static_cast<std::int32_t>(coordinate * subPixels + (offset + 0.5)) - offset;
+  }
 };
 
 //! Where triangles are drawn.
@@ -31,7 +42,7 @@ struct vpFillTarget
   int width;
   int height;
   float *inverseDepth; //!< width x height, 0 where nothing was drawn; the nearest surface stays.
-  int *triangle;       //!< Same size, or null.
+  int *triangle;       //!< Same size, or null; of surfaces that are as near, the least index.
 };
 
 /*!
@@ -62,14 +73,6 @@ inline bool isBetweenPixels(const vpScreenVertex &a, const vpScreenVertex &b, co
            vpScreenVertex::subPixelBits;
   };
   return misses(a.x, b.x, c.x) || misses(a.y, b.y, c.y);
-}
-
-inline vpScreenVertex::vpScreenVertex(double column, double row, double inverseDepth) : inverse(inverseDepth)
-{
-  // Made positive for the cast, which cuts towards zero.
-  constexpr std::int32_t offset = static_cast<std::int32_t>(limit) * subPixels;
-  x = static_cast<std::int32_t>(column * subPixels + (offset + 0.5)) - offset;
-  y = static_cast<std::int32_t>(row * subPixels + (offset + 0.5)) - offset;
 }
 
 END_VISP_NAMESPACE

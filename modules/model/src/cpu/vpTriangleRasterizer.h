@@ -2,18 +2,18 @@
 #ifndef vpTriangleRasterizer_h
 #define vpTriangleRasterizer_h
 
+#include "vpTriangleClusters.h"
 #include "vpTriangleFill.h"
 #include "../render/vpCropCamera.h"
 
 #include <array>
-#include <vector>
 
 BEGIN_VISP_NAMESPACE
 
 /*!
   Projects a model and draws its triangles into a buffer of inverse depths, and of triangle indices where they are asked
-  for. Every vertex is projected once, into memory that is used again. Of a closed surface the triangles that are seen
-  from behind are left out, half of them: there is always one in front, which covers the same pixel.
+  for. Of a closed surface the triangles that are seen from behind are left out, half of them: there is always one in
+  front, which covers the same pixel.
 */
 class vpTriangleRasterizer
 {
@@ -25,23 +25,36 @@ public:
             const vpFillTarget &target);
 
 private:
-  using Corners = std::array<int, 3>;
-
-  struct Vertex
+  //! The corners of one cluster.
+  struct Screen
   {
-    vpScreenVertex screen;
-    bool drawable; //!< False where its triangles have to be clipped first.
+    std::array<double, vpTriangleClusters::mostPositions> inverse;
+    std::array<std::int32_t, vpTriangleClusters::mostPositions> x;
+    std::array<std::int32_t, vpTriangleClusters::mostPositions> y;
+
+    vpScreenVertex vertex(std::size_t i) const
+    {
+      vpScreenVertex vertex;
+      vertex.inverse = inverse[i];
+      vertex.x = x[i];
+      vertex.y = y[i];
+      return vertex;
+    }
   };
 
-  Vertex project(const Eigen::Vector3d &image) const;
-  template <bool WithTriangle> void drawAll(const vpFillTarget &target) const;
-  template <bool WithTriangle> void drawClipped(const Corners &corners, int index, const vpFillTarget &target) const;
+  bool isWhole() const;
+  void project(const vpTriangleClusters::Cluster &cluster);
+  bool isDrawable(const vpScreenVertex &vertex) const;
+  template <bool WithTriangle>
+  void drawCluster(const vpTriangleClusters::Cluster &cluster, const vpFillTarget &target) const;
+  template <bool WithTriangle>
+  void drawClipped(const vpTriangleClusters::Cluster &cluster, const vpTriangleClusters::Triangle &triangle,
+                   const vpFillTarget &target) const;
 
-  std::vector<Eigen::Vector3d> m_positions;
-  std::vector<Corners> m_triangles;
-  std::vector<char> m_hasBack; //!< Of each triangle: 1 where its back is inside a closed surface.
-  std::vector<Vertex> m_vertices;
-  bool m_isWhole = false;                           //!< Nothing is before the near plane.
+  vpTriangleClusters m_clusters;
+  vpMeshDetail::BoundingBox m_box;
+  Screen m_screen;
+  bool m_isWhole = false;                           //!< Nothing has to be clipped.
   vpPoseMatrix m_projection = vpPoseMatrix::Zero(); //!< Object point to (depth x column, depth x row, depth).
   double m_near = 0.;
 };

@@ -51,6 +51,7 @@ vpModelTopology::vpModelTopology(const vpTrackedModel &model)
   linkEdges(model);
   findSides(model);
   collectFacings(model);
+  findSlopes(model);
   joinSmoothTriangles();
 }
 
@@ -155,6 +156,20 @@ void vpModelTopology::collectFacings(const vpTrackedModel &model)
       }
       m_facingCorners[i][k] = facing;
     }
+  }
+}
+
+void vpModelTopology::findSlopes(const vpTrackedModel &model)
+{
+  m_slopes.reserve(model.smoothTriangles().size());
+  for (const int index : model.smoothTriangles()) {
+    const vpModelTriangle &triangle = model.triangles()[static_cast<std::size_t>(index)];
+    const Eigen::Vector3d &a = model.vertices()[static_cast<std::size_t>(triangle.vertex[0])];
+    const Eigen::Vector3d e1 = model.vertices()[static_cast<std::size_t>(triangle.vertex[1])] - a;
+    const Eigen::Vector3d e2 = model.vertices()[static_cast<std::size_t>(triangle.vertex[2])] - a;
+    const Eigen::Vector3d normal = e1.cross(e2);
+    const bool oriented = model.faces()[static_cast<std::size_t>(triangle.face)].oriented;
+    m_slopes.push_back({a, {{e2.cross(normal), normal.cross(e1)}}, oriented});
   }
 }
 

@@ -45,6 +45,14 @@ public:
   const Facings &facings() const { return m_facings; }
   //! For corner k of smooth triangle i at [i][k]: its index in facings().
   const std::vector<std::array<int, 3>> &facingCorners() const { return m_facingCorners; }
+  //! What tells on which side of a rim a smooth triangle turns away, all of it in one place of the memory.
+  struct Slope
+  {
+    Eigen::Vector3d corner;                   //!< The first one.
+    std::array<Eigen::Vector3d, 2> gradients; //!< Of the shares of the second and third corner, up to a factor.
+    bool oriented;                            //!< As its face.
+  };
+  const std::vector<Slope> &slopes() const { return m_slopes; }
   //! For corner k of smooth triangle i at [i][k]: the smooth triangle across the side from corner k to corner k + 1, or
   //! -1.
   const std::vector<std::array<int, 3>> &neighbours() const { return m_neighbours; }
@@ -55,6 +63,7 @@ private:
                  std::vector<char> &used);
   void findSides(const vpTrackedModel &model);
   void collectFacings(const vpTrackedModel &model);
+  void findSlopes(const vpTrackedModel &model);
   void joinSmoothTriangles();
 
   std::vector<Chain> m_chains;
@@ -62,6 +71,7 @@ private:
   std::vector<Eigen::Vector3d> m_intoFace;
   Facings m_facings;
   std::vector<std::array<int, 3>> m_facingCorners;
+  std::vector<Slope> m_slopes;
   std::vector<std::array<int, 3>> m_neighbours;
 };
 

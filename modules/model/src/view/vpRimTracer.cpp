@@ -131,20 +131,16 @@ void vpRimTracer::traceFrom(std::size_t triangle, vpContourSampler &sampler)
 
 bool vpRimTracer::isConvexRim(std::size_t triangle) const
 {
-  const vpModelTriangle &t = triangleAt(triangle);
-  if (!m_model.faces()[static_cast<std::size_t>(t.face)].oriented) {
+  const vpModelTopology::Slope &slope = m_topology.slopes()[triangle];
+  if (!slope.oriented) {
     return true;
   }
   // Along the line of sight a rim that can be seen turns from facing the camera to facing away; in a hollow it is the
   // other way round, and the surface hides it.
-  const Eigen::Vector3d &a = m_model.vertices()[static_cast<std::size_t>(t.vertex[0])];
-  const Eigen::Vector3d e1 = m_model.vertices()[static_cast<std::size_t>(t.vertex[1])] - a;
-  const Eigen::Vector3d e2 = m_model.vertices()[static_cast<std::size_t>(t.vertex[2])] - a;
-  const Eigen::Vector3d normal = e1.cross(e2);
   const double d1 = facing(triangle, 1) - facing(triangle, 0);
   const double d2 = facing(triangle, 2) - facing(triangle, 0);
-  const Eigen::Vector3d gradient = d1 * e2.cross(normal) + d2 * normal.cross(e1);
-  return gradient.dot(a - m_camera.oC) > 0.;
+  const Eigen::Vector3d gradient = d1 * slope.gradients[0] + d2 * slope.gradients[1];
+  return gradient.dot(slope.corner - m_camera.oC) > 0.;
 }
 
 void vpRimTracer::setEnd(vpModelView::Piece &piece, std::size_t triangle, std::size_t side) const
@@ -160,7 +156,7 @@ void vpRimTracer::setEnd(vpModelView::Piece &piece, std::size_t triangle, std::s
                                  s * m_model.normals()[static_cast<std::size_t>(t.normal[next])];
   // In the image a rim runs perpendicular to the surface's normal, which is smoother than the triangles' bits of curve.
   piece.direction[1] = normal.cross(piece.position[1] - m_camera.oC);
-  piece.outward[1] = m_model.faces()[static_cast<std::size_t>(t.face)].oriented ? normal : Eigen::Vector3d::Zero();
+  piece.outward[1] = m_topology.slopes()[triangle].oriented ? normal : Eigen::Vector3d::Zero();
 }
 
 END_VISP_NAMESPACE
