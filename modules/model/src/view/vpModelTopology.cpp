@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "view/vpModelTopology.h"
 
+#include "mesh/nearGroups.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,6 +12,9 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
+// Triangles of a patch.
+const std::size_t patchSize = 64;
+
 // Edges that turn by less than this at a common vertex are one smooth curve cut into pieces, not a corner.
 const double maxTurnCosine = std::cos(35. * M_PI / 180.);
 
@@ -52,6 +57,7 @@ vpModelTopology::vpModelTopology(const vpTrackedModel &model)
   findSides(model);
   collectFacings(model);
   findSlopes(model);
+  findPatches(model);
   joinSmoothTriangles();
 }
 
@@ -170,6 +176,31 @@ void vpModelTopology::findSlopes(const vpTrackedModel &model)
     const Eigen::Vector3d normal = e1.cross(e2);
     const bool oriented = model.faces()[static_cast<std::size_t>(triangle.face)].oriented;
     m_slopes.push_back({a, {{e2.cross(normal), normal.cross(e1)}}, oriented});
+  }
+}
+
+void vpModelTopology::findPatches(const vpTrackedModel &model)
+{
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(m_slopes.size());
+  for (const Slope &slope : m_slopes) {
+    places.push_back(slope.corner);
+  }
+  const vpMeshDetail::NearGroups groups = vpMeshDetail::findNearGroups(places, patchSize);
+  m_patches.resize(groups.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<Eigen::Vector3d> normals;
+    for (std::size_t k = groups.start[i]; k < groups.start[i + 1]; ++k) {
+      const int index = model.smoothTriangles()[groups.order[k]];
+      const vpModelTriangle &triangle = model.triangles()[static_cast<std::size_t>(index)];
+      m_patches[i].triangles.push_back(static_cast<int>(groups.order[k]));
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        points.push_back(model.vertices()[static_cast<std::size_t>(triangle.vertex[corner])]);
+        normals.push_back(model.normals()[static_cast<std::size_t>(triangle.normal[corner])]);
+      }
+    }
+    m_patches[i].normals = vpMeshDetail::NormalCone(points, normals);
   }
 }
 

@@ -2,6 +2,8 @@
 #ifndef vpModelTopology_h
 #define vpModelTopology_h
 
+#include "mesh/normalCone.h"
+
 #include <visp3/model/vpTrackedModel.h>
 
 BEGIN_VISP_NAMESPACE
@@ -45,6 +47,13 @@ public:
   const Facings &facings() const { return m_facings; }
   //! For corner k of smooth triangle i at [i][k]: its index in facings().
   const std::vector<std::array<int, 3>> &facingCorners() const { return m_facingCorners; }
+  //! Smooth triangles that are near one another, and their corner normals.
+  struct Patch
+  {
+    std::vector<int> triangles;
+    vpMeshDetail::NormalCone normals;
+  };
+  const std::vector<Patch> &patches() const { return m_patches; }
   //! What tells on which side of a rim a smooth triangle turns away, all of it in one place of the memory.
   struct Slope
   {
@@ -64,6 +73,7 @@ private:
   void findSides(const vpTrackedModel &model);
   void collectFacings(const vpTrackedModel &model);
   void findSlopes(const vpTrackedModel &model);
+  void findPatches(const vpTrackedModel &model);
   void joinSmoothTriangles();
 
   std::vector<Chain> m_chains;
@@ -71,6 +81,7 @@ private:
   std::vector<Eigen::Vector3d> m_intoFace;
   Facings m_facings;
   std::vector<std::array<int, 3>> m_facingCorners;
+  std::vector<Patch> m_patches;
   std::vector<Slope> m_slopes;
   std::vector<std::array<int, 3>> m_neighbours;
 };

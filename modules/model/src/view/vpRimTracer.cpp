@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 BEGIN_VISP_NAMESPACE
 
 vpRimTracer::vpRimTracer(vpModelView &view, const vpModelTopology &topology, const vpViewCamera &camera)
@@ -42,20 +44,22 @@ bool vpRimTracer::crosses(std::size_t triangle, std::size_t side) const
   return (facing(triangle, side) < 0.F) != (facing(triangle, side + 1) < 0.F);
 }
 
-std::size_t vpRimTracer::nextRim(std::size_t triangle) const
+// Of all that is done for a rim this alone looks at every triangle, or at the patches that they are in.
+void vpRimTracer::markRims(std::vector<char> &visited) const
 {
-  // Of all that is done for a rim this alone looks at every triangle.
-  const std::size_t count = m_topology.facingCorners().size();
   const std::array<int, 3> *corners = m_topology.facingCorners().data();
   const float *facing = m_view.m_facing.data();
-  for (; triangle < count; ++triangle) {
-    const std::array<int, 3> &corner = corners[triangle];
-    const bool first = facing[corner[0]] < 0.F;
-    if (first != (facing[corner[1]] < 0.F) || first != (facing[corner[2]] < 0.F)) {
-      break;
+  for (const vpModelTopology::Patch &patch : m_topology.patches()) {
+    if (patch.normals.all(1., m_camera.oC) || patch.normals.all(-1., m_camera.oC)) {
+      continue;
+    }
+    for (const int triangle : patch.triangles) {
+      const std::array<int, 3> &corner = corners[triangle];
+      const bool first = facing[corner[0]] < 0.F;
+      visited[static_cast<std::size_t>(triangle)] =
+          first == (facing[corner[1]] < 0.F) && first == (facing[corner[2]] < 0.F);
     }
   }
-  return triangle;
 }
 
 std::size_t vpRimTracer::otherSide(std::size_t triangle, std::size_t side) const
@@ -86,11 +90,11 @@ void vpRimTracer::trace(vpContourSampler &sampler)
 {
   computeFacing();
   std::vector<char> &visited = m_view.m_visited;
-  visited.assign(m_model.smoothTriangles().size(), 0);
-  for (std::size_t i = nextRim(0); i < visited.size(); i = nextRim(i + 1)) {
-    if (!visited[i]) {
-      traceFrom(i, sampler);
-    }
+  visited.assign(m_model.smoothTriangles().size(), 1);
+  markRims(visited);
+  // In the order of the triangles, whatever patches they are in.
+  for (auto i = std::find(visited.begin(), visited.end(), 0); i != visited.end(); i = std::find(i, visited.end(), 0)) {
+    traceFrom(static_cast<std::size_t>(i - visited.begin()), sampler);
   }
 }
 

@@ -30,8 +30,8 @@ private:
   void computeFacing();
   float facing(std::size_t triangle, std::size_t corner) const;
   bool crosses(std::size_t triangle, std::size_t side) const;
-  //! The first triangle from this one on that a rim crosses; their number where there is none.
-  std::size_t nextRim(std::size_t triangle) const;
+  //! Sets 0 for each triangle that a rim crosses.
+  void markRims(std::vector<char> &visited) const;
   void traceFrom(std::size_t triangle, vpContourSampler &sampler);
   std::size_t otherSide(std::size_t triangle, std::size_t side) const;
   bool advance(Step &step, std::size_t &entry) const;
