@@ -12,7 +12,7 @@ namespace {
 const double usualDeviation = 0.05;
 // Deviations, where the model's colours are known, and where edges alone are compared.
 const double leastAdvantage = 2.4;
-const double perTry = 0.3;
+const double perTry = 0.6;
 const unsigned int mostTries = 6;
 // What deceives seldom does so in several images at the same pose; they are alike, though: not the root.
 const double againPower = 0.25;
