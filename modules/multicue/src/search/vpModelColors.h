@@ -21,8 +21,8 @@ BEGIN_VISP_NAMESPACE
   How well an image agrees with the colours that the model's file has, before anything was learnt from images: the
   correlation over places on the surface. Brightness is compared about its mean over places that face the same way, as
   the light on these is about the same, and the rest of the colours about its mean over all that is in view, as white
-  may be any tint. Each of the two counts by its variance in the model as a share of that in the image: wrinkled foil and
-  glints vary by much that the model's colours do not know.
+  may be any tint. Each of the two counts by its variance in the model as a share of that in the image: wrinkled foil
+  and glints vary by much that the model's colours do not know.
 */
 class vpModelColors
 {

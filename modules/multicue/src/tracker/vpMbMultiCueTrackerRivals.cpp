@@ -36,6 +36,8 @@ const double decisive = 0.96;
 const double mostDecisive = 0.88;
 // No pose explains the image: all of them leave as many times what trusted ones left.
 const double unexplained = 1.5;
+// What trusted poses left grows with wrong ones that were trusted; more than this share of the cutoff explains nothing.
+const double mostExplained = 0.5;
 // The object is looked for in each of as many frames.
 const unsigned int searchInterval = 3;
 // How far around is looked for it, in the spread near a pose, grows with each frame.
@@ -151,7 +153,7 @@ void vpMbMultiCueTracker::compareRivals(const vpCueFrame &frame)
   particles.rivals = kept;
   const auto best = std::min_element(kept.begin(), kept.end(),
                                      [](const vpRivalPose &a, const vpRivalPose &b) { return a.residue < b.residue; });
-  const double explained = impl.explainedResidue();
+  const double explained = std::min(impl.explainedResidue(), mostExplained * cutoff);
   if (best != kept.end() && best->residue < (residue > explained ? decisive : mostDecisive) * residue) {
     takeRival(frame, best->cMb, false);
   } else if (!kept.empty() && kept.front().lead >= winning && kept.front().residue < residue) {
