@@ -139,11 +139,8 @@ TEST_CASE("Colours of vertices and materials")
   CHECK(model.appearance().image.empty());
   const std::string plain = folder.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
   CHECK(vpModelReader::read(plain).appearance().color.empty());
-  const std::string painted = folder.write(
-      "painted.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                     "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
-                     "property list uchar int vertex_indices\nend_header\n"
-                     "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n3 0 1 2\n");
+  const std::string painted = folder.write("painted.ply", meshFiles::coloredPlyHeader(3, 1) +
+                                                              "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n3 0 1 2\n");
   const vpTrackedModel rainbow = vpModelReader::read(painted);
   REQUIRE(rainbow.appearance().color.size() == 1);
   CHECK((rainbow.appearance().color[0][1] - Eigen::Vector3f(0.F, 1.F, 0.F)).norm() < 1e-6F);

@@ -115,6 +115,16 @@ inline std::string ply(const Triangles &triangles)
   return text.str();
 }
 
+//! Of vertices with colours after their positions; faces of any number of corners.
+inline std::string coloredPlyHeader(std::size_t vertices, std::size_t faces)
+{
+  std::ostringstream text;
+  text << "ply\nformat ascii 1.0\nelement vertex " << vertices
+       << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+       << "property uchar blue\nelement face " << faces << "\nproperty list uchar int vertex_indices\nend_header\n";
+  return text.str();
+}
+
 inline std::string asciiStl(const Triangles &triangles)
 {
   std::ostringstream text;

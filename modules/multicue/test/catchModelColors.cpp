@@ -26,9 +26,7 @@ std::string writeTintedBox(const std::string &name)
 {
   std::ofstream file(name);
   const std::size_t count = 12;
-  file << "ply\nformat ascii 1.0\nelement vertex " << 4 * count
-       << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
-       << "property uchar blue\nelement face " << count << "\nproperty list uchar int vertex_indices\nend_header\n";
+  file << meshFiles::coloredPlyHeader(4 * count, count);
   for (const double x : {0.05, -0.05}) {
     for (const auto &side : modelShapes::boxPolygons({0.1, 0.14, 0.1}, {x, 0., 0.})) {
       for (const Eigen::Vector3d &corner : side) {

@@ -28,10 +28,7 @@ std::string writeCan(const std::string &name)
 {
   const int sectors = 96;
   std::ofstream file(name);
-  file << "ply\nformat ascii 1.0\nelement vertex " << 6 * sectors
-       << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
-       << "property uchar blue\nelement face " << 3 * sectors
-       << "\nproperty list uchar int vertex_indices\nend_header\n";
+  file << meshFiles::coloredPlyHeader(6 * sectors, 3 * sectors);
   const auto write = [&](double radius, int i, double z, int gray) {
     const double angle = 2. * M_PI * i / sectors;
     file << radius * std::cos(angle) << " " << radius * std::sin(angle) << " " << z << " " << gray << " " << gray << " "

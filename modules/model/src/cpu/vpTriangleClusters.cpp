@@ -2,26 +2,16 @@
 #include "vpTriangleClusters.h"
 
 #include "../mesh/nearGroups.h"
-
-#include <Eigen/Geometry>
+#include "../mesh/triangleCorners.h"
 
 #include <algorithm>
 
 BEGIN_VISP_NAMESPACE
 
+using vpMeshDetail::corner;
+using vpMeshDetail::normalOf;
+
 namespace {
-const Eigen::Vector3d &corner(const vpTrackedModel &model, const vpModelTriangle &triangle, std::size_t k)
-{
-  return model.vertices()[static_cast<std::size_t>(triangle.vertex[k])];
-}
-
-//! By the order of the corners, of any length.
-Eigen::Vector3d normalOf(const vpTrackedModel &model, const vpModelTriangle &triangle)
-{
-  const Eigen::Vector3d &a = corner(model, triangle, 0);
-  return (corner(model, triangle, 1) - a).cross(corner(model, triangle, 2) - a);
-}
-
 //! True where the corners go counterclockwise around the normals, of a face whose back is never seen.
 bool hasBack(const vpTrackedModel &model, const vpModelTriangle &triangle)
 {

@@ -75,7 +75,7 @@ void vpTriangleRasterizer::draw(const vpHomogeneousMatrix &cMo, const vpCropCame
   m_isWhole = isWhole();
   const Eigen::Vector3d oC = -pose.leftCols<3>().transpose() * pose.col(3);
   for (const vpTriangleClusters::Cluster &cluster : m_clusters.clusters()) {
-    if (m_isWhole && cluster.backs.all(1., oC)) {
+    if (m_isWhole && cluster.backs.side(oC) > 0) {
       continue;
     }
     project(cluster);

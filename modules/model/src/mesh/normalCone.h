@@ -17,7 +17,7 @@ namespace vpMeshDetail {
 class NormalCone
 {
 public:
-  //! Bounds nothing: all() is never true.
+  //! Bounds nothing: side() is 0.
   NormalCone() = default;
 
   //! \param normals Unit vectors.
@@ -46,14 +46,17 @@ public:
     }
   }
 
-  //! True where n (p - camera) is above 0 for each point p and normal n times sign, 1 or -1.
-  bool all(double sign, const Eigen::Vector3d &camera) const
+  //! 1 where n (p - camera) is above 0 for each point p and normal n, -1 where it is below for each, else 0.
+  int side(const Eigen::Vector3d &camera) const
   {
     // The normal that is farthest from the line of sight to the middle, and the point that is farthest against it.
     const Eigen::Vector3d sight = m_centre - camera;
     const double along = m_axis.dot(sight);
     const double across = std::sqrt(std::max(sight.squaredNorm() - along * along, 0.));
-    return sign * along * m_cosine - across * m_sine > m_radius;
+    if (!(std::abs(along) * m_cosine - across * m_sine > m_radius)) {
+      return 0;
+    }
+    return along > 0. ? 1 : -1;
   }
 
 private:

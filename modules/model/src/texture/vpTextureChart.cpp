@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "texture/vpTextureChart.h"
 
-#include <Eigen/Geometry>
+#include "mesh/triangleCorners.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 BEGIN_VISP_NAMESPACE
+
+using vpMeshDetail::corner;
+using vpMeshDetail::normalOf;
 
 namespace {
 // Planes nearer than this share of the diameter, or with normals as near, are one; a boundary between two of its
@@ -21,11 +24,6 @@ long step(double value)
   return std::lround(value / planeStep);
 }
 
-const Eigen::Vector3d &corner(const vpTrackedModel &model, const vpModelTriangle &triangle, std::size_t k)
-{
-  return model.vertices()[static_cast<std::size_t>(triangle.vertex[k])];
-}
-
 Key planeKey(const vpTrackedModel &model, const vpModelTriangle &triangle, const Eigen::Vector3d &normal)
 {
   const double offset = normal.dot(corner(model, triangle, 0)) / model.diameter();
@@ -35,12 +33,6 @@ Key planeKey(const vpTrackedModel &model, const vpModelTriangle &triangle, const
 // The charts of a curved face overlap, so that no edge is lost along their borders: each has what looks less than 60
 // degrees away from its axis. What is found twice falls together in a view, which keeps one of the two.
 const double leastAlongAxis = 0.5;
-
-Eigen::Vector3d normalOf(const vpTrackedModel &model, const vpModelTriangle &triangle)
-{
-  const Eigen::Vector3d &a = corner(model, triangle, 0);
-  return (corner(model, triangle, 1) - a).cross(corner(model, triangle, 2) - a).normalized();
-}
 
 //! Charts by what their triangles have in common, in the order in which they are met.
 class ChartTable
@@ -111,7 +103,7 @@ std::vector<vpTextureChart> vpMakeTextureCharts(const vpTrackedModel &model, dou
     if (face.planar) {
       table.add(planeKey(model, triangle, face.normal), face.normal, static_cast<int>(t), face.oriented);
     } else {
-      table.addCurved(triangle.face, normalOf(model, triangle), static_cast<int>(t), face.oriented);
+      table.addCurved(triangle.face, normalOf(model, triangle).normalized(), static_cast<int>(t), face.oriented);
     }
   }
   std::vector<vpTextureChart> &charts = table.charts;

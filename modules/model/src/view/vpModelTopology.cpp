@@ -2,8 +2,7 @@
 #include "view/vpModelTopology.h"
 
 #include "mesh/nearGroups.h"
-
-#include <Eigen/Geometry>
+#include "mesh/triangleCorners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,10 +169,10 @@ void vpModelTopology::findSlopes(const vpTrackedModel &model)
   m_slopes.reserve(model.smoothTriangles().size());
   for (const int index : model.smoothTriangles()) {
     const vpModelTriangle &triangle = model.triangles()[static_cast<std::size_t>(index)];
-    const Eigen::Vector3d &a = model.vertices()[static_cast<std::size_t>(triangle.vertex[0])];
-    const Eigen::Vector3d e1 = model.vertices()[static_cast<std::size_t>(triangle.vertex[1])] - a;
-    const Eigen::Vector3d e2 = model.vertices()[static_cast<std::size_t>(triangle.vertex[2])] - a;
-    const Eigen::Vector3d normal = e1.cross(e2);
+    const Eigen::Vector3d &a = vpMeshDetail::corner(model, triangle, 0);
+    const Eigen::Vector3d e1 = vpMeshDetail::corner(model, triangle, 1) - a;
+    const Eigen::Vector3d e2 = vpMeshDetail::corner(model, triangle, 2) - a;
+    const Eigen::Vector3d normal = vpMeshDetail::normalOf(model, triangle);
     const bool oriented = model.faces()[static_cast<std::size_t>(triangle.face)].oriented;
     m_slopes.push_back({a, {{e2.cross(normal), normal.cross(e1)}}, oriented});
   }
@@ -196,7 +195,7 @@ void vpModelTopology::findPatches(const vpTrackedModel &model)
       const vpModelTriangle &triangle = model.triangles()[static_cast<std::size_t>(index)];
       m_patches[i].triangles.push_back(static_cast<int>(groups.order[k]));
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        points.push_back(model.vertices()[static_cast<std::size_t>(triangle.vertex[corner])]);
+        points.push_back(vpMeshDetail::corner(model, triangle, corner));
         normals.push_back(model.normals()[static_cast<std::size_t>(triangle.normal[corner])]);
       }
     }

@@ -50,7 +50,7 @@ void vpRimTracer::markRims(std::vector<char> &visited) const
   const std::array<int, 3> *corners = m_topology.facingCorners().data();
   const float *facing = m_view.m_facing.data();
   for (const vpModelTopology::Patch &patch : m_topology.patches()) {
-    if (patch.normals.all(1., m_camera.oC) || patch.normals.all(-1., m_camera.oC)) {
+    if (patch.normals.side(m_camera.oC) != 0) {
       continue;
     }
     for (const int triangle : patch.triangles) {

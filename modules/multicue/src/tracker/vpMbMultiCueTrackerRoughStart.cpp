@@ -208,7 +208,7 @@ bool vpMbMultiCueTracker::takeStart(const vpCueFrame &frame)
     rough.evidence.setTries(rough.tries);
   }
   rough.refused = cMb;
-  addEvidence(frame, placesAtStart);
+  addEvidence(placesAtStart);
   const std::string missing = rough.evidence.text(firstShare);
   rough.phase = missing.empty() ? vpRoughStart::UNCONFIRMED : vpRoughStart::REFUSED;
   impl.state = missing.empty() ? vpTrackingState::UNCERTAIN : vpTrackingState::LOST;
@@ -218,11 +218,10 @@ bool vpMbMultiCueTracker::takeStart(const vpCueFrame &frame)
   return missing.empty();
 }
 
-// What speaks for the pose that was estimated last.
-void vpMbMultiCueTracker::addEvidence(const vpCueFrame &frame, unsigned int places)
+// What speaks for the pose that was estimated last, in the image that the search has.
+void vpMbMultiCueTracker::addEvidence(unsigned int places)
 {
   vpRoughStart &rough = m_impl->rough;
-  rough.search.setFrame(frame, m_impl->viewSphere(), m_impl->preference, m_impl->viewOptions.textureEdges);
   vpStartEvidence::Support support;
   support.hasEdges = m_impl->uses(EDGE_TRACKER);
   support.edges = support.hasEdges ? edgeAgreement() : 0.;
@@ -268,7 +267,8 @@ void vpMbMultiCueTracker::confirmStart(const vpCueFrame &frame)
     return;
   }
   if (impl.state != vpTrackingState::LOST) {
-    addEvidence(frame, placesAfter);
+    rough.search.setFrame(frame, impl.viewSphere(), impl.preference, impl.viewOptions.textureEdges);
+    addEvidence(placesAfter);
     const std::string missing = rough.evidence.text(1.);
     if (rough.evidence.frames() > framesToConfirm && missing.empty()) {
       rough.clear();

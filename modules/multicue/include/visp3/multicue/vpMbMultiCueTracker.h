@@ -374,7 +374,7 @@ private:
   double refineStart(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
   double startValue() const;
   bool takeStart(const vpCueFrame &frame);
-  void addEvidence(const vpCueFrame &frame, unsigned int places);
+  void addEvidence(unsigned int places);
   bool resumeStart(const vpCueFrame &frame);
   void confirmStart(const vpCueFrame &frame);
   void askDetector(const vpCueFrame &frame);
