@@ -217,3 +217,16 @@ TEST_CASE("Others have to be looked for while enough is seen, and to have some f
     CHECK(tracks.isCompared());
   }
 }
+
+TEST_CASE("What the followed pose explains is known once it was looked at in a frame", "[pose-tracks]")
+{
+  vpPoseTracks tracks = followedFor(manyFrames);
+  CHECK_FALSE(tracks.followedValue() > -1.);
+  tracks.follow(0);
+  CHECK_FALSE(tracks.followedValue() > -1.);
+  tracks.add(at(0.), 0.5, isSame);
+  tracks.add(at(0.), 0.4, isSame);
+  CHECK(tracks.followedValue() == 0.5);
+  tracks.followNone();
+  CHECK_FALSE(tracks.followedValue() > -1.);
+}

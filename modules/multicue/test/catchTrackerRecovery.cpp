@@ -111,6 +111,17 @@ struct Tracked
     return tracking;
   }
 
+  //! Turns evenly about an axis of its own, in the dark after some frames. \return True where the second frame after it
+  //! has the right pose.
+  bool turnInTheDark(const Eigen::Vector3d &axis, double degreesPerFrame)
+  {
+    const auto at = [&](int i) { return displaced(swaying(12), axis, degreesPerFrame * i, {0.001 * i, 0., 0.}); };
+    for (int i = 1; i <= 25; ++i) {
+      tracker.track(i > 8 && i < 24 ? plainImage(black) : scene.draw(at(i)));
+    }
+    return isRight(at(25));
+  }
+
   //! What becomes of it where it is shown at a pose again, and moves a bit.
   static constexpr int never = 99;
   struct Return
@@ -201,6 +212,17 @@ TEST_CASE("An object that turned by 60 degrees in the dark is found", "[recovery
   CHECK(object.darken() == 0);
   checkReturn(object.comeBack(turned(-60.), 14));
   CHECK(object.isTracking());
+}
+
+TEST_CASE("An object that turns on in the dark is looked for where it turned to", "[recovery]")
+{
+  int found = 0;
+  for (const double rate : {-6., 6.}) {
+    for (const Eigen::Vector3d axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}) {
+      found += Tracked(true).turnInTheDark(axis, rate);
+    }
+  }
+  CHECK(found >= 3);
 }
 
 TEST_CASE("Without a search it is not", "[recovery]")

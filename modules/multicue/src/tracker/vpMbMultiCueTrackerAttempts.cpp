@@ -23,6 +23,7 @@ const double toleratedPenalty = 0.05;
 const double unknownAfterLoss = 0.25; // Weight of a surface that was never seen.
 // Of half a turn, or two diameters.
 const double changePenalty = 0.1;
+const double mostShift = 1.5; // Of two diameters; beyond it, shifts are equally unlikely.
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
 // Turns of the object that are tried, radians.
@@ -43,6 +44,17 @@ double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) con
   const double distance = off[0] / farDeviation[0];
   const double angle = off[1] / farDeviation[1];
   return std::min(distance * distance + angle * angle, mostFar);
+}
+
+// Of half a turn, and of two diameters.
+double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) const
+{
+  const Eigen::Isometry3d before = vpPoseExponential::toEigen(trusted);
+  const Eigen::Isometry3d now = vpPoseExponential::toEigen(cMo);
+  const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
+  const Eigen::Vector3d centre = model->centre();
+  const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
+  return Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift);
 }
 
 // Keeps the pose where it explains more than the best one before. \return True where that is enough.
@@ -194,11 +206,15 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   if (impl.mustConfirm) {
     impl.beginTracks(m_cMo);
   }
+  const vpPoseTracks::Track first = impl.tracks.empty() ? vpPoseTracks::Track() : impl.tracks.tracks().front();
   impl.best = Impl::Attempt();
   impl.mostAgreeing = 0;
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
   bool isEnough = takeAttempt(refineFused(frame));
+  if (!isEnough && impl.mustConfirm) {
+    isEnough = attemptAhead(frame, first.before, first.cMo);
+  }
   impl.tracks.followNone();
   if (impl.mustConfirm && followOthers(frame)) {
     isEnough = true;

@@ -142,6 +142,7 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
   usual = learntBefore->usual;
   unsteadiness = learntBefore->unsteadiness;
   trusted = learntBefore->trusted;
+  forgetMotion(); // That of something else.
   keyframes.reset();
   searched.clear();
 }

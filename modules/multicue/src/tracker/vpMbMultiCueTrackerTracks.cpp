@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "tracker/vpEvenMotion.h"
 #include "tracker/vpTrackerState.h"
 
 #include <algorithm>
@@ -14,6 +15,12 @@ const double insideToCompare = 0.7;
 // Of a pose with exp(-1) times the usual number of edges, and the most of them that counts.
 const double fewPenalty = 0.1;
 const double mostFewPenalty = 0.3;
+// Of the object in one frame, its shift in diameters plus its turn in radians: what moves less is found where it was,
+// and a pose that jumped farther was corrected, which tells nothing of the next frame.
+const double leastMoved = 0.01;
+const double mostMoved = 0.4;
+// Of a pose that explains more where it was, a pose ahead may as well be its drift.
+const double valueToStay = 0.65;
 } // namespace
 
 vpPoseTracks::Same vpMbMultiCueTracker::Impl::sameTrack() const
@@ -83,6 +90,26 @@ void vpMbMultiCueTracker::Impl::endTracks(const vpHomogeneousMatrix &cMo)
   }
 }
 
+// After a loss nothing is known of the object's velocity but what the last two frames show. \return True where the pose
+// that goes on as it moved from before to cMo leads to one that is enough.
+bool vpMbMultiCueTracker::attemptAhead(const vpCueFrame &frame, const vpHomogeneousMatrix &before,
+                                       const vpHomogeneousMatrix &cMo)
+{
+  Impl &impl = *m_impl;
+  if (impl.tracks.followedValue() >= valueToStay) {
+    return false;
+  }
+  const vpPoseTangent motion = vpPoseExponential::log(before.inverse() * cMo);
+  const Eigen::Vector3d centre = impl.model->centre();
+  const Eigen::Vector3d shift = motion.head<3>() + motion.tail<3>().cross(centre);
+  const double moved = shift.norm() / impl.model->diameter() + motion.tail<3>().norm();
+  if (moved < leastMoved || moved > mostMoved) {
+    return false;
+  }
+  impl.usesPoints = false;
+  return attemptFrom(frame, vpEvenMotion(cMo, motion, centre, 1.), false);
+}
+
 // After a loss: the other poses that may be right. \return True where one of them is better, and enough.
 bool vpMbMultiCueTracker::followOthers(const vpCueFrame &frame)
 {
@@ -91,10 +118,11 @@ bool vpMbMultiCueTracker::followOthers(const vpCueFrame &frame)
   bool isEnough = false;
   for (std::size_t i = 1; i < number && !impl.searchBudget.isSpent(); ++i) {
     impl.usesPoints = false;
-    const vpHomogeneousMatrix cMo = impl.tracks.tracks()[i].cMo;
+    const vpPoseTracks::Track track = impl.tracks.tracks()[i]; // As it was before the attempts.
     impl.tracks.follow(i);
-    isEnough = attemptFrom(frame, cMo) || isEnough;
-    isEnough = attemptFrom(frame, cMo, false) || isEnough;
+    isEnough = attemptFrom(frame, track.cMo) || isEnough;
+    isEnough = attemptFrom(frame, track.cMo, false) || isEnough;
+    isEnough = attemptAhead(frame, track.before, track.cMo) || isEnough;
   }
   impl.tracks.followNone();
   return isEnough;

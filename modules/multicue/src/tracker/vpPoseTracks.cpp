@@ -90,6 +90,11 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, const Sam
   return standing(meanWith(track, value), grown(track.frames));
 }
 
+double vpPoseTracks::followedValue() const
+{
+  return m_followed < m_tracks.size() && m_tracks[m_followed].isSeen ? m_tracks[m_followed].value : -HUGE_VAL;
+}
+
 // What each track explains in this frame is told to it.
 void vpPoseTracks::endFrame()
 {

@@ -58,6 +58,9 @@ public:
   //! The attempts to come start from this track, or from none of them.
   void follow(std::size_t index) { m_followed = index; }
   void followNone() { m_followed = none; }
+  //! What the attempts of this frame that started from the followed track explain; less than any pose where there is
+  //! none.
+  double followedValue() const;
   //! A pose that was estimated in this frame, with what it explains. \return What to compare it by.
   double add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame);
   //! Other poses were looked for in all of this image.

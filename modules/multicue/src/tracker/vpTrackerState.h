@@ -95,7 +95,15 @@ public:
   vpImageRegion regionAround(const vpHomogeneousMatrix &cMo) const;
   void settle(vpPoseSearch &search);
   void settleByScore(vpPoseSearch &search) const;
-  void scatterOverBlobs(const vpCueFrame &frame, vpPoseSearch &search, double rotation, std::size_t number);
+  void scatterEverywhere(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number);
+  //! Where the object's centre may be.
+  struct Place
+  {
+    Eigen::Vector3d centre; //!< In the camera's frame, metres.
+    double share = 0.;      //!< How likely it is among all of them.
+  };
+  std::vector<Place> placesOfColors(const vpCueFrame &frame);
+  vpHomogeneousMatrix movedOn(double share) const;
   //! Forgets what was learnt from images.
   void forgetImages();
   //! Features of one cue, or of all of them.

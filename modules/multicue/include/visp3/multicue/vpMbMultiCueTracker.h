@@ -426,6 +426,7 @@ private:
   void updateView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double near);
   void updateMotion(double doubt = 1.);
   bool followOthers(const vpCueFrame &frame);
+  bool attemptAhead(const vpCueFrame &frame, const vpHomogeneousMatrix &before, const vpHomogeneousMatrix &cMo);
   void findAgain(const vpCueFrame &frame);
   void followDoubtful();
   void believe();

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpEvenMotion.h"
+#include "tracker/vpTrackerState.h"
+
+#include <algorithm>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const std::size_t wideNumber = 2000;
+const std::size_t aroundFound = 50; // Each of the best poses of the frames before.
+const std::size_t mostBlobs = 4;
+// Side of a window that the object fills, in projected diameters.
+const double windowShare = 0.5;
+const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
+const vpPoseSearch::Spread atPlace = {0.08, vpPoseSearch::near().rotation, 0.15}; // That a colour showed.
+const double halfWay = 0.5; // An object that went on while it was hidden may have slowed down.
+
+// The orientation of one pose at the place of another. \param point In the object's frame, is at that place.
+vpHomogeneousMatrix turnedAt(const vpHomogeneousMatrix &place, const vpHomogeneousMatrix &orientation,
+                             const Eigen::Vector3d &point)
+{
+  Eigen::Isometry3d pose = vpPoseExponential::toEigen(orientation);
+  pose.translation() = vpPoseExponential::toEigen(place) * point - pose.linear() * point;
+  return vpPoseExponential::fromEigen(pose);
+}
+} // namespace
+
+// All around and in all of the image; the best poses of the frames before are among the starts.
+void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  if (searchDetected(frame) || impl.searchBudget.isSpent()) {
+    return;
+  }
+  // The object may come back in other light, or show a side whose colours were never seen: every second search is one
+  // by edges.
+  const bool byEdges = impl.uses(EDGE_TRACKER) && impl.lostFrames % 2 == 1;
+  const double begin = impl.searchBudget.elapsed();
+  const std::size_t number = impl.searchBudget.number(wideNumber);
+  impl.scoreFrame(frame);
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
+  impl.scatterEverywhere(frame, search, number);
+  if (byEdges) {
+    impl.weighScore(true);
+    impl.settleByScore(search);
+    impl.weighScore(false);
+  } else {
+    impl.settle(search);
+  }
+  impl.searchBudget.learn(number, begin, impl.searchBudget.elapsed() - begin);
+  attemptBest(frame, search, !byEdges);
+  impl.searched = search.candidates();
+  impl.tracks.noteSearch();
+}
+
+// Where the object is if it went on as it moved before it was lost. \param share Of the way that it would have gone.
+vpHomogeneousMatrix vpMbMultiCueTracker::Impl::movedOn(double share) const
+{
+  if (!kalman.isStarted()) {
+    return trusted;
+  }
+  const double time = share * std::min(sinceUpdate, kalman.settings().longestGap);
+  return vpEvenMotion(kalman.filtered().cMo, kalman.velocity(), model->centre(), time);
+}
+
+// Six numbers are too many to draw all of them far and wide: far places have likely orientations, and likely places all
+// orientations.
+void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number)
+{
+  const vpPoseSearch::Spread near = vpPoseSearch::near();
+  const vpPoseSearch::Spread wide = near.grown(1. + spreadPerFrame * lostFrames);
+  const std::array<vpHomogeneousMatrix, 2> moved = {{movedOn(1.), movedOn(halfWay)}};
+  search.setPrior({trusted, moved[0], moved[1]}, wide, vpPoseSearch::usualPrior);
+  search.scatter({expectedPose, trusted}, wide, number / 8);
+  const vpPoseSearch::Spread far = {std::max(0.5 * wide.translation, near.translation), near.rotation,
+                                    std::max(0.5 * wide.depth, near.depth)};
+  for (const vpHomogeneousMatrix &cMo : moved) {
+    search.scatter({cMo, turnedAt(trusted, cMo, model->centre())}, far, number / 8);
+  }
+  for (const Place &place : placesOfColors(frame)) {
+    const auto all = static_cast<std::size_t>(0.5 * place.share * static_cast<double>(number));
+    search.scatterAround(place.centre, trusted, {atPlace.translation, wide.rotation, atPlace.depth}, all);
+    for (const vpHomogeneousMatrix &cMo : moved) {
+      search.scatterAround(place.centre, cMo, atPlace, all / 2);
+    }
+  }
+  for (const vpPoseCandidate &candidate : searched) {
+    search.scatter({candidate.cMo}, near, aroundFound);
+  }
+}
+
+// Where the image has the object's colours.
+std::vector<vpMbMultiCueTracker::Impl::Place> vpMbMultiCueTracker::Impl::placesOfColors(const vpCueFrame &frame)
+{
+  std::vector<Place> places;
+  if (!uses(COLOR_TRACKER) || !color.histograms().isKnown()) {
+    return places;
+  }
+  const double depth = (vpPoseExponential::toEigen(trusted) * model->centre()).z();
+  const vpCameraParameters &cam = frame.camera();
+  const double size = windowShare * cam.get_px() * model->diameter() / depth;
+  const std::vector<vpBlob> &found = blobs.find(oddsMap, frame.width(), frame.height(), size, mostBlobs);
+  double total = 0.;
+  for (const vpBlob &blob : found) {
+    total += blob.contrast * blob.contrast;
+  }
+  for (const vpBlob &blob : found) {
+    const double x = (blob.u - cam.get_u0()) / cam.get_px();
+    const double y = (blob.v - cam.get_v0()) / cam.get_py();
+    const double z = depth * std::min(std::max(size / blob.size, 0.8), 1.25);
+    places.push_back({z * Eigen::Vector3d(x, y, 1.), blob.contrast * blob.contrast / total});
+  }
+  return places;
+}
+
+END_VISP_NAMESPACE
