@@ -55,7 +55,7 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
   vpPoseCheck::requireRigid(cMo);
   vpPoseCheck::requireInView(*m_impl->model, cMo, m_cam, width, height);
   m_cMo = cMo;
-  m_impl->trusted = cMo;
+  m_impl->trust(cMo);
   m_impl->width = width;
   m_impl->height = height;
   m_impl->forgetImages();
@@ -200,7 +200,6 @@ void vpMbMultiCueTracker::followDoubtful()
 void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  impl.trusted = m_cMo;
   updateReferences();
   impl.learnResidue();
   if (impl.type != EDGE_TRACKER) {
@@ -209,6 +208,7 @@ void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
   }
   learnSurprise();
   updateMotion();
+  impl.trust(m_cMo, impl.kalman.velocity());
 }
 
 void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth)

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 BEGIN_VISP_NAMESPACE
 
@@ -46,15 +47,30 @@ double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) con
   return std::min(distance * distance + angle * angle, mostFar);
 }
 
-// Of half a turn, and of two diameters.
+// Of half a turn, and of two diameters; from where the object was, or may have moved to, whichever is nearest.
 double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) const
 {
-  const Eigen::Isometry3d before = vpPoseExponential::toEigen(trusted);
   const Eigen::Isometry3d now = vpPoseExponential::toEigen(cMo);
-  const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
   const Eigen::Vector3d centre = model->centre();
-  const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
-  return Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift);
+  double least = HUGE_VAL;
+  for (const double way : {0., 0.5, 1.}) {
+    const Eigen::Isometry3d before = vpPoseExponential::toEigen(movedOn(way));
+    const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
+    const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
+    least = std::min(least, Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift));
+  }
+  return least;
+}
+
+// Unless it is lost, the object does not jump to where something explains more while a pose where it is expected
+// explains the image.
+bool vpMbMultiCueTracker::Impl::isBetter(const Attempt &attempt) const
+{
+  const Attempt &near = attempt.isFar ? best : attempt;
+  if (!mustConfirm && attempt.isFar != best.isFar && near.explained >= badlyExplained) {
+    return !attempt.isFar;
+  }
+  return attempt.value > best.value;
 }
 
 // Keeps the pose where it explains more than the best one before. \return True where that is enough.
@@ -75,9 +91,10 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
             impl.fewEdgesPenalty();
     value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
   }
-  impl.bestIsLast = estimated && value > impl.best.value;
+  const Impl::Attempt attempt = {m_cMo, share, value, impl.share, impl.usesPoints, impl.surpriseAt(m_cMo) >= mostFar};
+  impl.bestIsLast = estimated && impl.isBetter(attempt);
   if (impl.bestIsLast) {
-    impl.best = {m_cMo, share, value, impl.share, impl.usesPoints};
+    impl.best = attempt;
   }
   if (impl.mustConfirm) {
     return impl.best.explained >= wellExplained && impl.bestIsLast && isDecisive() && !impl.mustCompare(m_cMo);
@@ -191,6 +208,9 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
     if (isEnough) {
       return;
     }
+  }
+  if (attemptFrom(frame, impl.movedOn(1.), false)) {
+    return;
   }
   if (!tryKeyframes(frame, false)) {
     searchEverywhere(frame);

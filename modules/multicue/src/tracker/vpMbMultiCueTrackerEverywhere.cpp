@@ -57,14 +57,11 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   impl.tracks.noteSearch();
 }
 
-// Where the object is if it went on as it moved before it was lost. \param share Of the way that it would have gone.
+// Where the object is if it went on as it moved when it was trusted. \param share Of the way that it would have gone.
 vpHomogeneousMatrix vpMbMultiCueTracker::Impl::movedOn(double share) const
 {
-  if (!kalman.isStarted()) {
-    return trusted;
-  }
-  const double time = share * std::min(sinceUpdate, kalman.settings().longestGap);
-  return vpEvenMotion(kalman.filtered().cMo, kalman.velocity(), model->centre(), time);
+  const double gone = std::min(time - trustedTime, kalman.settings().longestGap);
+  return vpEvenMotion(trusted, trustedVelocity, model->centre(), share * gone);
 }
 
 // Six numbers are too many to draw all of them far and wide: far places have likely orientations, and likely places all

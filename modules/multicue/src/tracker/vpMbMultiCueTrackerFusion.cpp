@@ -41,6 +41,7 @@ const double leastRotation = 1e-3; // Radians.
 void vpMbMultiCueTracker::predict()
 {
   Impl &impl = *m_impl;
+  impl.time += impl.frameInterval;
   impl.sinceUpdate += impl.frameInterval;
   impl.predictedRange = 0.;
   // A pose that was found after a loss is no news to the filter before it is confirmed.

@@ -191,7 +191,8 @@ bool vpMbMultiCueTracker::takeStart(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   vpRoughStart &rough = impl.rough;
   impl.forgetImages();
-  impl.trusted = impl.expectedPose = impl.startPose = m_cMo;
+  impl.trust(m_cMo);
+  impl.expectedPose = impl.startPose = m_cMo;
   learnStart(frame);
   const vpHomogeneousMatrix cMo = m_cMo;
   if (impl.type == EDGE_TRACKER) {
@@ -252,7 +253,8 @@ bool vpMbMultiCueTracker::resumeStart(const vpCueFrame &frame)
     rough.spread = vpPoseSearch::near();
     if (!searchStart(frame)) {
       rough.clear();
-      m_cMo = impl.trusted = cMo;
+      impl.trust(cMo);
+      m_cMo = cMo;
     }
   }
   return true;

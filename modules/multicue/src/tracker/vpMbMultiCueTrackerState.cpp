@@ -17,7 +17,8 @@ const unsigned int doubtfulConfirmations = 15; // Where the surface looks like t
 // Frames on end in which no other pose came near, whatever is explained.
 const unsigned int neededAhead = 6;
 // An object that left the image for so many frames on end may come back anywhere; one that the image does not explain
-// is followed for longer, since light and what is in front of it change more often than it jumps.
+// is followed for longer, since light and what is in front of it change more often than it jumps. Where a pose far
+// off is all that explains it, the object is lost at once.
 const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
 // One that is lost again within as many frames was no right one, perhaps.
@@ -126,7 +127,8 @@ void vpMbMultiCueTracker::Impl::noteLoss()
   if (learntBefore && foundFrames < fewFrames) {
     mustRecall = true;
   } else {
-    learntBefore = std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted});
+    learntBefore =
+        std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted, trustedVelocity, trustedTime});
   }
 }
 
@@ -142,7 +144,8 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
   usual = learntBefore->usual;
   unsteadiness = learntBefore->unsteadiness;
   trusted = learntBefore->trusted;
-  forgetMotion(); // That of something else.
+  trustedVelocity = learntBefore->trustedVelocity;
+  trustedTime = learntBefore->trustedTime;
   keyframes.reset();
   searched.clear();
 }
@@ -161,7 +164,7 @@ void vpMbMultiCueTracker::confirmState()
   const bool isExplained = impl.state == vpTrackingState::TRACKING;
   impl.outsideFrames = inside < leastInside ? impl.outsideFrames + 1 : 0;
   impl.doubtfulFrames = isExplained ? 0 : impl.doubtfulFrames + 1;
-  if (impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubtful) {
+  if (impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubtful || impl.best.isFar) {
     impl.noteLoss();
   }
   if (inside < leastInside) {

@@ -246,6 +246,8 @@ public:
     Agreement usual;
     Agreement unsteadiness;
     vpHomogeneousMatrix trusted;
+    vpPoseTangent trustedVelocity;
+    double trustedTime;
   };
   void noteLoss();
   void recallLearnt();
@@ -283,7 +285,9 @@ public:
     double value = -2.;     // What attempts are compared by.
     Share share;
     bool usesPoints = false;
+    bool isFar = false; // From where the object is expected.
   };
+  bool isBetter(const Attempt &attempt) const;
   Attempt best;                               // Of this frame.
   std::vector<vpHomogeneousMatrix> attempted; // Poses that attempts of this frame led to.
   static constexpr double longestCoast = 0.5; // Seconds.
@@ -323,7 +327,17 @@ public:
   unsigned int good = 0;            // That the robust estimation kept.
   std::array<Support, 3> supportOf; // Both for each cue, by indexOf().
   vpTrackingTimings timings;
-  vpHomogeneousMatrix trusted; // The last pose that was started from or tracked.
+  double time = 0.;                                      // Of all frames since the object was made, seconds.
+  vpHomogeneousMatrix trusted;                           // The last pose that was started from or tracked.
+  vpPoseTangent trustedVelocity = vpPoseTangent::Zero(); // Of the object in its own frame then; 0 where it is unknown.
+  double trustedTime = 0.;                               // Of that pose.
+  //! \param velocity Unit: 1 / s; 0 where it is not known.
+  void trust(const vpHomogeneousMatrix &cMo, const vpPoseTangent &velocity = vpPoseTangent::Zero())
+  {
+    trusted = cMo;
+    trustedVelocity = velocity;
+    trustedTime = time;
+  }
 };
 
 END_VISP_NAMESPACE

@@ -60,7 +60,11 @@ public:
   const vpPoseKalmanSettings &settings() const { return m_settings; }
 
   //! Forgets pose and velocity.
-  void reset() { m_isStarted = false; }
+  void reset()
+  {
+    m_isStarted = false;
+    m_velocity.setZero();
+  }
   //! True once a pose was given since the beginning or the last reset().
   bool isStarted() const { return m_isStarted; }
 
