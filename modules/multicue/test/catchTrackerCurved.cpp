@@ -8,6 +8,8 @@
 #include <visp3/model/vpCpuRenderer.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include <opencv2/core/utility.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -156,6 +158,31 @@ TEST_CASE("A mesh without edges is tracked by its rims, with one pose hypothesis
     CHECK((cMo.getTranslationVector() - truth.getTranslationVector()).frobeniusNorm() < 0.002);
     CHECK(vpMath::deg((truth.inverse() * cMo).getThetaUVector().getTheta()) < 1.5);
   });
+}
+
+TEST_CASE("The view of a mesh does not depend on the number of threads", "[tracker]")
+{
+  vpMbMultiCueTracker tracker;
+  tracker.loadModel(writeStl(makeLump(), meshFiles::temporaryFile("lump-threads.stl")));
+  const int threadsBefore = cv::getNumThreads();
+  std::vector<vpControlPoint> expected;
+  for (const int threads : {1, 2, 4}) {
+    CAPTURE(threads);
+    cv::setNumThreads(threads);
+    vpCpuRenderer renderer(tracker.getModel());
+    vpModelView view(tracker.getModel());
+    for (int i = 0; i < 10; ++i) {
+      view.compute(poseAt(i), camera(), width, height, vpModelViewOptions(), &renderer);
+    }
+    expected = threads == 1 ? view.points() : expected;
+    REQUIRE(view.points().size() == expected.size());
+    REQUIRE(expected.size() > 20);
+    CHECK(std::equal(expected.begin(), expected.end(), view.points().begin(),
+                     [](const vpControlPoint &a, const vpControlPoint &b) {
+                       return a.position == b.position && a.normal == b.normal && a.contour == b.contour;
+                     }));
+  }
+  cv::setNumThreads(threadsBefore);
 }
 
 TEST_CASE("A cylinder of a .cao file is tracked by limbs and circles, and does not spin", "[tracker]")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/model/vpModelView.h>
 
+#include "view/runBoth.h"
 #include "view/vpContourSampler.h"
 #include "view/vpCurves.h"
 #include "view/vpDepthProbe.h"
@@ -17,6 +18,9 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
+// Of a mesh that is worth a second thread.
+const std::size_t manyTriangles = 5000;
+
 void require(bool ok, const char *member, double value, const char *range)
 {
   if (!ok) {
@@ -118,6 +122,17 @@ vpDepthProbe vpModelView::depthProbe(const vpViewCamera &camera) const
   return vpDepthProbe(&m_depth, camera.project(now) - camera.project(then), now.z() - then.z());
 }
 
+void vpModelView::drawDepth(const vpCameraParameters &cam, unsigned int imageWidth, unsigned int imageHeight,
+                            const vpModelViewOptions &options, vpModelRenderer &renderer)
+{
+  m_depthPose = m_cMo;
+  vpRenderOptions depthOptions;
+  depthOptions.maxSize = options.visibilitySize;
+  depthOptions.scale = 0.5;
+  depthOptions.nearDistance = options.nearDistance;
+  renderer.render(m_cMo, cam, imageWidth, imageHeight, depthOptions, m_depth);
+}
+
 void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
                           unsigned int imageHeight, const vpModelViewOptions &options, vpModelRenderer *renderer,
                           bool keepDepth)
@@ -130,21 +145,27 @@ void vpModelView::compute(const vpHomogeneousMatrix &cMo, const vpCameraParamete
   m_cMo = cMo;
   const bool hadDepth = m_hasDepth;
   m_hasDepth = renderer != nullptr && !m_model->isConvex();
-  if (m_hasDepth && !(keepDepth && hadDepth)) {
-    m_depthPose = cMo;
-    vpRenderOptions depthOptions;
-    depthOptions.maxSize = options.visibilitySize;
-    depthOptions.scale = 0.5;
-    depthOptions.nearDistance = options.nearDistance;
-    renderer->render(cMo, cam, imageWidth, imageHeight, depthOptions, m_depth);
+  const bool draws = m_hasDepth && !(keepDepth && hadDepth);
+  const bool hasRims = !m_model->smoothTriangles().empty();
+  vpRimTracer tracer(*this, *m_topology, camera);
+  const auto draw = [&] { drawDepth(cam, imageWidth, imageHeight, options, *renderer); };
+  if (draws && m_model->smoothTriangles().size() >= manyTriangles && renderer->mayChangeThread()) {
+    vpRunBoth(draw, [&] { tracer.trace(); });
+  } else {
+    if (draws) {
+      draw();
+    }
+    if (hasRims) {
+      tracer.trace();
+    }
   }
   vpContourSampler sampler(*this, camera, options, depthProbe(camera));
   const vpCurves curves(*m_model, *m_topology, m_facesSeen, camera, options);
   curves.addEdges(sampler);
   curves.addLimbs(sampler);
   curves.addCircles(sampler);
-  if (!m_model->smoothTriangles().empty()) {
-    vpRimTracer(*this, *m_topology, camera).trace(sampler);
+  if (hasRims) {
+    tracer.sample(sampler);
   }
   m_hasTextureEdges = options.textureEdges && !textureEdges().empty();
   if (m_hasTextureEdges) {

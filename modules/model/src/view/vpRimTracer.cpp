@@ -86,19 +86,21 @@ bool vpRimTracer::advance(Step &step, std::size_t &entry) const
   return true;
 }
 
-void vpRimTracer::trace(vpContourSampler &sampler)
+void vpRimTracer::trace()
 {
+  m_view.m_rims.clear();
+  m_view.m_rimEnds.clear();
   computeFacing();
   std::vector<char> &visited = m_view.m_visited;
   visited.assign(m_model.smoothTriangles().size(), 1);
   markRims(visited);
   // In the order of the triangles, whatever patches they are in.
   for (auto i = std::find(visited.begin(), visited.end(), 0); i != visited.end(); i = std::find(i, visited.end(), 0)) {
-    traceFrom(static_cast<std::size_t>(i - visited.begin()), sampler);
+    traceFrom(static_cast<std::size_t>(i - visited.begin()));
   }
 }
 
-void vpRimTracer::traceFrom(std::size_t triangle, vpContourSampler &sampler)
+void vpRimTracer::traceFrom(std::size_t triangle)
 {
   // Back to where the curve begins, or once around a closed one.
   Step step{triangle, crosses(triangle, 0) ? 0U : 1U};
@@ -107,30 +109,42 @@ void vpRimTracer::traceFrom(std::size_t triangle, vpContourSampler &sampler)
     step = probe;
   }
   std::vector<char> &visited = m_view.m_visited;
+  std::size_t from = step.side;
+  step.side = otherSide(step.triangle, step.side);
+  bool isAtNode = false; // The last one is where this triangle's bit begins.
+  do {
+    visited[step.triangle] = 1;
+    const bool isConvex = isConvexRim(step.triangle);
+    if (isConvex) {
+      if (!isAtNode) {
+        addNode(step.triangle, from, false);
+      }
+      addNode(step.triangle, step.side, true);
+    }
+    isAtNode = isConvex;
+  } while (advance(step, from) && !visited[step.triangle]);
+  m_view.m_rimEnds.push_back(m_view.m_rims.size());
+}
+
+void vpRimTracer::sample(vpContourSampler &sampler) const
+{
   vpModelView::Piece piece;
   piece.parameter = {{0., 1.}};
   piece.slides = true;
-  std::size_t from = step.side;
-  step.side = otherSide(step.triangle, step.side);
-  bool isAtEnd = false; // The piece's end is where this triangle's bit begins.
-  do {
-    visited[step.triangle] = 1;
-    if (isConvexRim(step.triangle)) {
-      if (!isAtEnd) {
-        setEnd(piece, step.triangle, from);
+  const vpModelView::RimNode *node = m_view.m_rims.data();
+  for (const std::size_t end : m_view.m_rimEnds) {
+    for (; node != m_view.m_rims.data() + end; ++node) {
+      piece.position = {{piece.position[1], node->position}};
+      piece.direction = {{piece.direction[1], node->direction}};
+      piece.outward = {{piece.outward[1], node->outward}};
+      if (node->joined) {
+        sampler.add(piece);
+      } else {
+        sampler.interrupt();
       }
-      piece.position[0] = piece.position[1];
-      piece.direction[0] = piece.direction[1];
-      piece.outward[0] = piece.outward[1];
-      setEnd(piece, step.triangle, step.side);
-      sampler.add(piece);
-      isAtEnd = true;
-    } else {
-      sampler.interrupt();
-      isAtEnd = false;
     }
-  } while (advance(step, from) && !visited[step.triangle]);
-  sampler.sample(false);
+    sampler.sample(false);
+  }
 }
 
 bool vpRimTracer::isConvexRim(std::size_t triangle) const
@@ -147,20 +161,21 @@ bool vpRimTracer::isConvexRim(std::size_t triangle) const
   return gradient.dot(slope.corner - m_camera.oC) > 0.;
 }
 
-void vpRimTracer::setEnd(vpModelView::Piece &piece, std::size_t triangle, std::size_t side) const
+void vpRimTracer::addNode(std::size_t triangle, std::size_t side, bool joined)
 {
   const vpModelTriangle &t = triangleAt(triangle);
   const std::size_t next = (side + 1) % 3;
   const double g0 = facing(triangle, side);
   const double g1 = facing(triangle, next);
   const double s = g0 / (g0 - g1);
-  piece.position[1] = (1. - s) * m_model.vertices()[static_cast<std::size_t>(t.vertex[side])] +
-                      s * m_model.vertices()[static_cast<std::size_t>(t.vertex[next])];
+  const Eigen::Vector3d position = (1. - s) * m_model.vertices()[static_cast<std::size_t>(t.vertex[side])] +
+                                   s * m_model.vertices()[static_cast<std::size_t>(t.vertex[next])];
   const Eigen::Vector3d normal = (1. - s) * m_model.normals()[static_cast<std::size_t>(t.normal[side])] +
                                  s * m_model.normals()[static_cast<std::size_t>(t.normal[next])];
   // In the image a rim runs perpendicular to the surface's normal, which is smoother than the triangles' bits of curve.
-  piece.direction[1] = normal.cross(piece.position[1] - m_camera.oC);
-  piece.outward[1] = m_topology.slopes()[triangle].oriented ? normal : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d direction = normal.cross(position - m_camera.oC);
+  const bool oriented = m_topology.slopes()[triangle].oriented;
+  m_view.m_rims.push_back({position, direction, oriented ? normal : Eigen::Vector3d::Zero(), joined});
 }
 
 END_VISP_NAMESPACE

@@ -17,8 +17,10 @@ class vpRimTracer
 public:
   vpRimTracer(vpModelView &view, const vpModelTopology &topology, const vpViewCamera &camera);
 
-  //! Gives every rim to \e sampler.
-  void trace(vpContourSampler &sampler);
+  //! Finds all rims; they are kept in the view.
+  void trace();
+  //! Gives those that were found to \e sampler.
+  void sample(vpContourSampler &sampler) const;
 
 private:
   struct Step
@@ -32,12 +34,12 @@ private:
   bool crosses(std::size_t triangle, std::size_t side) const;
   //! Sets 0 for each triangle that a rim crosses.
   void markRims(std::vector<char> &visited) const;
-  void traceFrom(std::size_t triangle, vpContourSampler &sampler);
+  void traceFrom(std::size_t triangle);
   std::size_t otherSide(std::size_t triangle, std::size_t side) const;
   bool advance(Step &step, std::size_t &entry) const;
   bool isConvexRim(std::size_t triangle) const;
-  //! Sets the second end of a piece to where the rim crosses a side.
-  void setEnd(vpModelView::Piece &piece, std::size_t triangle, std::size_t side) const;
+  //! Adds where the rim crosses a side.
+  void addNode(std::size_t triangle, std::size_t side, bool joined);
   const vpModelTriangle &triangleAt(std::size_t index) const;
 
   vpModelView &m_view;

@@ -11,10 +11,8 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// Of what the trusted frames before had: from there on a pose is taken, and below this others are looked for all
-// around.
+// Of what the trusted frames before had: from there on a pose is taken.
 const double wellExplained = 0.8;
-const double badlyExplained = 0.65;
 const double decisiveSurface = 0.7;
 const double contradictingSurface = 0.35;
 // Of a pose that is one deviation off the expected one; squared for those farther off.
@@ -62,17 +60,6 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   return least;
 }
 
-// Unless it is lost, the object does not jump to where something explains more while a pose where it is expected
-// explains the image.
-bool vpMbMultiCueTracker::Impl::isBetter(const Attempt &attempt) const
-{
-  const Attempt &near = attempt.isFar ? best : attempt;
-  if (!mustConfirm && attempt.isFar != best.isFar && near.explained >= badlyExplained) {
-    return !attempt.isFar;
-  }
-  return attempt.value > best.value;
-}
-
 // Keeps the pose where it explains more than the best one before. \return True where that is enough.
 bool vpMbMultiCueTracker::takeAttempt(bool estimated)
 {
@@ -91,8 +78,8 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
             impl.fewEdgesPenalty();
     value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
   }
-  const Impl::Attempt attempt = {m_cMo, share, value, impl.share, impl.usesPoints, impl.surpriseAt(m_cMo) >= mostFar};
-  impl.bestIsLast = estimated && impl.isBetter(attempt);
+  const Impl::Attempt attempt = {{share, value, impl.surpriseAt(m_cMo) >= mostFar}, m_cMo, impl.share, impl.usesPoints};
+  impl.bestIsLast = estimated && attempt.isBetterThan(impl.best, impl.mustConfirm);
   if (impl.bestIsLast) {
     impl.best = attempt;
   }
@@ -144,7 +131,7 @@ void vpMbMultiCueTracker::tryOthers(const vpCueFrame &frame)
   }
   if (impl.searches) {
     searchNear(frame);
-  } else if (impl.best.explained < badlyExplained) {
+  } else if (impl.best.explained < vpJudgedPose::badlyExplained) {
     tryTurns(frame);
   }
 }

@@ -7,6 +7,7 @@
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCentreFrame.h"
 #include "tracker/vpCueFusion.h"
+#include "tracker/vpJudgedPose.h"
 #include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseTracks.h"
 #include "tracker/vpPoseUncertainty.h"
@@ -278,16 +279,12 @@ public:
   Agreement unsteadiness; // Variance of its share of the usual one over the trusted frames.
   Share share;            // At the pose that was judged last.
   // A pose that the cues were brought to.
-  struct Attempt
+  struct Attempt : vpJudgedPose
   {
     vpHomogeneousMatrix cMo;
-    double explained = -1.; // Less than any pose explains.
-    double value = -2.;     // What attempts are compared by.
     Share share;
     bool usesPoints = false;
-    bool isFar = false; // From where the object is expected.
   };
-  bool isBetter(const Attempt &attempt) const;
   Attempt best;                               // Of this frame.
   std::vector<vpHomogeneousMatrix> attempted; // Poses that attempts of this frame led to.
   static constexpr double longestCoast = 0.5; // Seconds.

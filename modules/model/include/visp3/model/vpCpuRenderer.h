@@ -19,6 +19,7 @@ public:
   void render(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
               unsigned int imageHeight, const vpRenderOptions &options, vpRenderedView &view) override;
   std::string name() const override;
+  bool mayChangeThread() const override { return true; }
 
 private:
   class Impl;

@@ -85,6 +85,10 @@ public:
   virtual void render(const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, unsigned int imageWidth,
                       unsigned int imageHeight, const vpRenderOptions &options, vpRenderedView &view) = 0;
 
+  //! \return True where render() may be called in another thread than the renderer was made in, one at a time; false by
+  //! default, as OpenGL needs it.
+  virtual bool mayChangeThread() const { return false; }
+
   //! What renders, for messages and reports ("CPU", "EGL (llvmpipe ...)").
   virtual std::string name() const = 0;
 

@@ -81,7 +81,8 @@ class vpTextureSource;
   corner normals are perpendicular to the line of sight. All are clipped, sampled evenly in the image and kept where the
   depth buffer does not hide them (a convex object needs no such buffer). Edges of the texture come last, the best ones
   first; what runs nearer than 6 pixels beside an edge before it is left out, as the two would be confused. Nothing is
-  allocated once the memory of an earlier call suffices. Copies share what is derived from the model.
+  allocated once the memory of an earlier call suffices, but for the few bytes by which a mesh of many triangles hands
+  half of its work to one of OpenCV's threads. Copies share what is derived from the model.
 */
 class VISP_EXPORT vpModelView
 {
@@ -150,6 +151,17 @@ private:
     bool joined = false;    // Starts where the piece before it ends.
   };
 
+  // Where a rim crosses the side of a triangle; object frame.
+  struct RimNode
+  {
+    Eigen::Vector3d position;
+    Eigen::Vector3d direction; // Of the rim, any length.
+    Eigen::Vector3d outward;   // Away from the surface; zero: not known.
+    bool joined;               // With the node before it.
+  };
+
+  void drawDepth(const vpCameraParameters &cam, unsigned int imageWidth, unsigned int imageHeight,
+                 const vpModelViewOptions &options, vpModelRenderer &renderer);
   vpDepthProbe depthProbe(const vpViewCamera &camera) const;
 
   std::shared_ptr<const vpTrackedModel> m_model;
@@ -164,6 +176,8 @@ private:
   std::vector<char> m_facesSeen;
   std::vector<float> m_facing; // Of the smooth triangles' corners: negative towards the camera.
   std::vector<char> m_visited; // Smooth triangles that a rim was traced over.
+  std::vector<RimNode> m_rims; // One curve after the other.
+  std::vector<std::size_t> m_rimEnds;
   std::vector<Piece> m_pieces; // Of the curve being sampled.
   std::vector<int> m_cells;    // Where control points are, see vpPointGrid.
   std::vector<int> m_cellNext;
