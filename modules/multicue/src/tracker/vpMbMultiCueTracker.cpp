@@ -51,7 +51,7 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
 {
   requireTrackable(width, height);
   const vpHomogeneousMatrix cMo = m_cMo;
-  m_cMo = m_impl->trusted; // Until the new pose has passed.
+  m_cMo = m_impl->trusted.cMo; // Until the new pose has passed.
   vpPoseCheck::requireRigid(cMo);
   vpPoseCheck::requireInView(*m_impl->model, cMo, m_cam, width, height);
   m_cMo = cMo;

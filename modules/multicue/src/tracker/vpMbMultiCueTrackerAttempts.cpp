@@ -51,8 +51,8 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   const Eigen::Isometry3d now = vpPoseExponential::toEigen(cMo);
   const Eigen::Vector3d centre = model->centre();
   double least = HUGE_VAL;
-  for (const double way : {0., 0.5, 1.}) {
-    const Eigen::Isometry3d before = vpPoseExponential::toEigen(movedOn(way));
+  for (const vpHomogeneousMatrix &pose : whereabouts()) {
+    const Eigen::Isometry3d before = vpPoseExponential::toEigen(pose);
     const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
     const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
     least = std::min(least, Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift));
@@ -68,7 +68,8 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
   if (estimated) {
     impl.attempted.push_back(m_cMo);
   }
-  double value = share - farPenalty * impl.surpriseAt(m_cMo);
+  const double surprise = impl.surpriseAt(m_cMo);
+  double value = share - farPenalty * surprise;
   if (impl.mustConfirm) {
     // What was never seen is no evidence for a pose. Half a turn of a symmetric object explains as much: the one nearer
     // to the last trusted pose is likelier.
@@ -78,7 +79,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
             impl.fewEdgesPenalty();
     value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
   }
-  const Impl::Attempt attempt = {{share, value, impl.surpriseAt(m_cMo) >= mostFar}, m_cMo, impl.share, impl.usesPoints};
+  const Impl::Attempt attempt = {{share, value, surprise >= mostFar}, m_cMo, impl.share, impl.usesPoints};
   impl.bestIsLast = estimated && attempt.isBetterThan(impl.best, impl.mustConfirm);
   if (impl.bestIsLast) {
     impl.best = attempt;

@@ -5,6 +5,7 @@
 #include "tracker/vpTrackerState.h"
 
 #include <algorithm>
+#include <array>
 
 BEGIN_VISP_NAMESPACE
 
@@ -60,8 +61,13 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
 // Where the object is if it went on as it moved when it was trusted. \param share Of the way that it would have gone.
 vpHomogeneousMatrix vpMbMultiCueTracker::Impl::movedOn(double share) const
 {
-  const double gone = std::min(time - trustedTime, kalman.settings().longestGap);
-  return vpEvenMotion(trusted, trustedVelocity, model->centre(), share * gone);
+  const double gone = std::min(time - trusted.time, kalman.settings().longestGap);
+  return vpEvenMotion(trusted.cMo, trusted.velocity, model->centre(), share * gone);
+}
+
+std::array<vpHomogeneousMatrix, 3> vpMbMultiCueTracker::Impl::whereabouts() const
+{
+  return {{trusted.cMo, movedOn(1.), movedOn(halfWay)}};
 }
 
 // Six numbers are too many to draw all of them far and wide: far places have likely orientations, and likely places all
@@ -70,18 +76,18 @@ void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPos
 {
   const vpPoseSearch::Spread near = vpPoseSearch::near();
   const vpPoseSearch::Spread wide = near.grown(1. + spreadPerFrame * lostFrames);
-  const std::array<vpHomogeneousMatrix, 2> moved = {{movedOn(1.), movedOn(halfWay)}};
-  search.setPrior({trusted, moved[0], moved[1]}, wide, vpPoseSearch::usualPrior);
-  search.scatter({expectedPose, trusted}, wide, number / 8);
+  const auto [before, moved, movedHalf] = whereabouts();
+  search.setPrior({before, moved, movedHalf}, wide, vpPoseSearch::usualPrior);
+  search.scatter({expectedPose, before}, wide, number / 8);
   const vpPoseSearch::Spread far = {std::max(0.5 * wide.translation, near.translation), near.rotation,
                                     std::max(0.5 * wide.depth, near.depth)};
-  for (const vpHomogeneousMatrix &cMo : moved) {
-    search.scatter({cMo, turnedAt(trusted, cMo, model->centre())}, far, number / 8);
+  for (const vpHomogeneousMatrix &cMo : {moved, movedHalf}) {
+    search.scatter({cMo, turnedAt(before, cMo, model->centre())}, far, number / 8);
   }
   for (const Place &place : placesOfColors(frame)) {
     const auto all = static_cast<std::size_t>(0.5 * place.share * static_cast<double>(number));
-    search.scatterAround(place.centre, trusted, {atPlace.translation, wide.rotation, atPlace.depth}, all);
-    for (const vpHomogeneousMatrix &cMo : moved) {
+    search.scatterAround(place.centre, before, {atPlace.translation, wide.rotation, atPlace.depth}, all);
+    for (const vpHomogeneousMatrix &cMo : {moved, movedHalf}) {
       search.scatterAround(place.centre, cMo, atPlace, all / 2);
     }
   }
@@ -97,7 +103,7 @@ std::vector<vpMbMultiCueTracker::Impl::Place> vpMbMultiCueTracker::Impl::placesO
   if (!uses(COLOR_TRACKER) || !color.histograms().isKnown()) {
     return places;
   }
-  const double depth = (vpPoseExponential::toEigen(trusted) * model->centre()).z();
+  const double depth = (vpPoseExponential::toEigen(trusted.cMo) * model->centre()).z();
   const vpCameraParameters &cam = frame.camera();
   const double size = windowShare * cam.get_px() * model->diameter() / depth;
   const std::vector<vpBlob> &found = blobs.find(oddsMap, frame.width(), frame.height(), size, mostBlobs);

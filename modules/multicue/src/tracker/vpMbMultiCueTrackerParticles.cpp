@@ -113,8 +113,8 @@ void vpMbMultiCueTracker::moveParticles(const vpCueFrame &frame)
   const vpHomogeneousMatrix oMb = impl.centreFrame();
   const double diameter = impl.model->diameter();
   if (!particles.isStarted()) {
-    particles.restart(impl.trusted * oMb, diameter);
-    particles.followed = particles.explained = impl.trusted * oMb;
+    particles.restart(impl.trusted.cMo * oMb, diameter);
+    particles.followed = particles.explained = impl.trusted.cMo * oMb;
   }
   vpHomogeneousMatrix bMp;
   if (particles.settings().motion == vpParticleSettings::VELOCITY && impl.kalman.isStarted()) {
@@ -189,7 +189,7 @@ void vpMbMultiCueTracker::weighParticles(const vpCueFrame &frame)
     particles.proposalValues.push_back(distanceAt(cMb));
   }
   if (!particles.weighDistances(particles.values, particles.proposals, particles.proposalValues)) {
-    particles.restart(impl.trusted * oMb, impl.model->diameter());
+    particles.restart(impl.trusted.cMo * oMb, impl.model->diameter());
     return;
   }
   particles.findModes(impl.model->diameter());

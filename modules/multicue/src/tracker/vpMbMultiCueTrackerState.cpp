@@ -127,8 +127,7 @@ void vpMbMultiCueTracker::Impl::noteLoss()
   if (learntBefore && foundFrames < fewFrames) {
     mustRecall = true;
   } else {
-    learntBefore =
-        std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted, trustedVelocity, trustedTime});
+    learntBefore = std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted});
   }
 }
 
@@ -144,8 +143,6 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
   usual = learntBefore->usual;
   unsteadiness = learntBefore->unsteadiness;
   trusted = learntBefore->trusted;
-  trustedVelocity = learntBefore->trustedVelocity;
-  trustedTime = learntBefore->trustedTime;
   keyframes.reset();
   searched.clear();
 }

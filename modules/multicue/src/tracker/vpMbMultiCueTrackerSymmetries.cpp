@@ -34,7 +34,7 @@ void vpMbMultiCueTracker::Impl::restrictHypotheses(const vpMatrix &oJo)
 
 vpHomogeneousMatrix vpMbMultiCueTracker::Impl::nearestAlike(const vpHomogeneousMatrix &cMo) const
 {
-  return symmetries.get() == nullptr ? cMo : symmetries.nearest(cMo, mustConfirm ? trusted : expectedPose, *model);
+  return symmetries.get() == nullptr ? cMo : symmetries.nearest(cMo, mustConfirm ? trusted.cMo : expectedPose, *model);
 }
 
 // How far a rival is from another pose, of those that look like it the nearest one; see vpTrackerParticles::distance().

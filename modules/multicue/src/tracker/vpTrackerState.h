@@ -104,7 +104,6 @@ public:
     double share = 0.;      //!< How likely it is among all of them.
   };
   std::vector<Place> placesOfColors(const vpCueFrame &frame);
-  vpHomogeneousMatrix movedOn(double share) const;
   //! Forgets what was learnt from images.
   void forgetImages();
   //! Features of one cue, or of all of them.
@@ -239,6 +238,20 @@ public:
   bool mustConfirm = false;
   unsigned int outsideFrames = 0;  // On end.
   unsigned int doubtfulFrames = 0; // The same, with a pose that is not explained.
+  //! The last pose that was started from or tracked.
+  struct Trusted
+  {
+    vpHomogeneousMatrix cMo;
+    vpPoseTangent velocity = vpPoseTangent::Zero(); //!< Of the object in its own frame, 1 / s; 0 where it is unknown.
+    double time = 0.;
+  };
+  void trust(const vpHomogeneousMatrix &cMo, const vpPoseTangent &velocity = vpPoseTangent::Zero())
+  {
+    trusted = {cMo, velocity, time};
+  }
+  vpHomogeneousMatrix movedOn(double share) const;
+  //! Where the object was trusted to be, where it is if it went on as it moved then, and halfway.
+  std::array<vpHomogeneousMatrix, 3> whereabouts() const;
   //! What trusted frames told of the object's looks.
   struct Learnt
   {
@@ -246,9 +259,7 @@ public:
     vpSurfaceMemory surface;
     Agreement usual;
     Agreement unsteadiness;
-    vpHomogeneousMatrix trusted;
-    vpPoseTangent trustedVelocity;
-    double trustedTime;
+    Trusted trusted;
   };
   void noteLoss();
   void recallLearnt();
@@ -324,17 +335,8 @@ public:
   unsigned int good = 0;            // That the robust estimation kept.
   std::array<Support, 3> supportOf; // Both for each cue, by indexOf().
   vpTrackingTimings timings;
-  double time = 0.;                                      // Of all frames since the object was made, seconds.
-  vpHomogeneousMatrix trusted;                           // The last pose that was started from or tracked.
-  vpPoseTangent trustedVelocity = vpPoseTangent::Zero(); // Of the object in its own frame then; 0 where it is unknown.
-  double trustedTime = 0.;                               // Of that pose.
-  //! \param velocity Unit: 1 / s; 0 where it is not known.
-  void trust(const vpHomogeneousMatrix &cMo, const vpPoseTangent &velocity = vpPoseTangent::Zero())
-  {
-    trusted = cMo;
-    trustedVelocity = velocity;
-    trustedTime = time;
-  }
+  double time = 0.; // Of all frames since the object was made, seconds.
+  Trusted trusted;
 };
 
 END_VISP_NAMESPACE
