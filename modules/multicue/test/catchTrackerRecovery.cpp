@@ -50,14 +50,21 @@ struct Tracked
 {
   static constexpr int edgesAndPoints = vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER;
 
-  explicit Tracked(bool searches, int type = edgesAndPoints | vpMbMultiCueTracker::COLOR_TRACKER)
+  explicit Tracked(bool searches, int type = edgesAndPoints | vpMbMultiCueTracker::COLOR_TRACKER,
+                   bool hasParticles = false)
   {
+    vpParticleSettings particles;
+    particles.enabled = hasParticles;
+    if (type == vpMbMultiCueTracker::EDGE_TRACKER) {
+      paint = searchScenes::plainPaint();
+    }
+    tracker.setParticleSettings(particles);
     tracker.setTrackerType(type);
     tracker.setCameraParameters(colorScenes::makeCamera());
     tracker.loadModel(writeBox(meshFiles::temporaryFile("recovery-box.obj")));
     tracker.setPrediction(true);
     tracker.setSearch(searches);
-    tracker.initFromPose(scene.draw(start), start);
+    tracker.initFromPose(scene.draw(start, paint), start);
     for (int i = 1; i <= 12; ++i) { // Until it knows what the object looks like.
       show(swaying(i));
       REQUIRE(isTracking());
@@ -71,7 +78,7 @@ struct Tracked
     return displaced(start, {0.3, 1., 0.}, 6. * std::sin(0.5 * i), {0.002 * i, 0., 0.});
   }
 
-  void show(const vpHomogeneousMatrix &cMo) { tracker.track(scene.draw(cMo)); }
+  void show(const vpHomogeneousMatrix &cMo) { tracker.track(scene.draw(cMo, paint)); }
   bool isTracking() const { return tracker.getTrackingState() == vpTrackingState::TRACKING; }
   bool isFinite() const
   {
@@ -144,6 +151,7 @@ struct Tracked
   }
 
   Scene scene{colorScenes::makeBox()};
+  colorScenes::Paint paint;
   vpMbMultiCueTracker tracker;
 };
 
@@ -223,6 +231,18 @@ TEST_CASE("An object that turns on in the dark is looked for where it turned to"
     }
   }
   CHECK(found >= 3);
+}
+
+TEST_CASE("With edges alone it is found as well, with and without particles", "[recovery]")
+{
+  for (const bool hasParticles : {false, true}) {
+    CAPTURE(hasParticles);
+    Tracked object(true, vpMbMultiCueTracker::EDGE_TRACKER, hasParticles);
+    CHECK(object.darken() == 0);
+    checkReturn(object.comeBack(turned(-40.), 14));
+    CHECK(object.isTracking());
+    CHECK(object.leave() == 0);
+  }
 }
 
 TEST_CASE("Without a search it is not", "[recovery]")

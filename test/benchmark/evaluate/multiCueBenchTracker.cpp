@@ -27,13 +27,15 @@ void useHypotheses(vpMbMultiCueTracker &tracker)
   setCandidates(tracker, 5);
 }
 
-// [T10] as it is: an object that wanders, 100 particles, the best ones optimised in pose-hypothesis mode.
+// [T10]: edges alone, an object that wanders, 100 particles, the best ones optimised in pose-hypothesis mode. Where all
+// of them have lost the object, which the paper leaves open, the search finds it again.
 void useParticles(vpMbMultiCueTracker &tracker)
 {
   useHypotheses(tracker);
   vpParticleSettings settings = tracker.getParticleSettings();
   settings.enabled = true;
   tracker.setParticleSettings(settings);
+  tracker.setSearch(true);
 }
 
 Preset cues(int type)

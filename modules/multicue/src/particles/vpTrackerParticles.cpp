@@ -70,6 +70,15 @@ void vpTrackerParticles::restart(const vpHomogeneousMatrix &cMb, double diameter
   findModes(diameter);
 }
 
+void vpTrackerParticles::follow(const vpHomogeneousMatrix &cMb)
+{
+  rivals.clear();
+  followed = explained = cMb;
+  followedMotion.eye();
+  isCalm = false;
+  blindFrames = 0;
+}
+
 void vpTrackerParticles::widen()
 {
   m_spread = std::min(m_spread * lostGrowth, 100.);

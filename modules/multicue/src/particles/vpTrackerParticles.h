@@ -56,6 +56,8 @@ public:
   bool reach(const vpHomogeneousMatrix &cMb, double diameter) const;
   // How many particles the time of the last frame allows.
   void adaptNumber(const vpTrackingTimings &timings);
+  // Goes on from a pose that was found without rivals.
+  void follow(const vpHomogeneousMatrix &cMb);
   // While the object is lost.
   void widen();
   void narrow() { m_spread = 1.; }

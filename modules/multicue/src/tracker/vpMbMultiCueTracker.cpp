@@ -139,25 +139,29 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
   const vpHomogeneousMatrix cMoBefore = m_cMo;
   predict();
-  const bool explores = impl.type == EDGE_TRACKER && impl.particles.settings().enabled;
+  const bool compares = impl.comparesAttempts();
+  const bool explores = !compares && impl.particles.settings().enabled;
   if (explores) {
     lookAround(frame);
   }
   judge(estimate(frame));
-  if (impl.state == vpTrackingState::LOST && impl.type == EDGE_TRACKER) {
+  if (impl.state == vpTrackingState::LOST && !compares) {
     // A jump of the light changes all contrasts at once: without what was remembered of them the edges may be there
     // yet.
     m_cMo = cMoBefore;
     impl.edges.reset();
     judge(estimate(frame));
   }
-  if (impl.rough.hasHint && impl.type == EDGE_TRACKER) {
+  if (impl.rough.hasHint && !compares) {
     compareHint(frame);
   }
   if (explores) {
     weighParticles(frame);
-  } else if (impl.type != EDGE_TRACKER) {
+  } else if (compares) {
     updateParticles(frame, impl.attempted);
+  }
+  if (!compares && impl.searches) {
+    judgeEdges(frame);
   }
   updateCovariance();
   impl.chooseTrack();
@@ -185,6 +189,28 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
 }
 
+// With edges alone and a search for what is lost: the distance map decides, since what hides the object leaves few of
+// the matches of a right pose.
+void vpMbMultiCueTracker::judgeEdges(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  if (!impl.particles.settings().enabled) {
+    impl.scoreFrame(frame);
+  }
+  explainedShare(); // For what is usual of the matches.
+  double share = mapShare();
+  if (impl.stateOf(share) != vpTrackingState::TRACKING && impl.scoredFrame != frame.number()) {
+    impl.scoreFrame(frame); // The pose may be outside the region that the particles needed.
+    share = mapShare();
+  }
+  impl.best = Impl::Attempt();
+  impl.best.cMo = m_cMo;
+  impl.best.explained = impl.best.value = share;
+  if (impl.state != vpTrackingState::LOST) {
+    impl.state = impl.stateOf(share);
+  }
+}
+
 // The pose that is not trusted may be the one that was followed: how it moves is known.
 void vpMbMultiCueTracker::followDoubtful()
 {
@@ -202,8 +228,10 @@ void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   updateReferences();
   impl.learnResidue();
-  if (impl.type != EDGE_TRACKER) {
+  if (impl.judgesCues()) {
     learnUsual();
+  }
+  if (impl.type != EDGE_TRACKER) {
     learnKeyframe(frame);
   }
   learnSurprise();
@@ -247,7 +275,7 @@ void vpMbMultiCueTracker::matchView(const vpCueFrame &frame)
 
 bool vpMbMultiCueTracker::estimate(const vpCueFrame &frame)
 {
-  if (m_impl->type != EDGE_TRACKER) {
+  if (m_impl->comparesAttempts()) {
     return estimateFused(frame);
   }
   return estimateFrom(frame, m_impl->hypotheses.settings().enabled && proposePose(frame));

@@ -27,11 +27,20 @@ const double besideEdges = 0.4;
 const double leastBesideEdges = 0.25;
 const double fixedVariance = 0.1 * 0.1;
 const double edgesByChance = 0.25;
+// The same of the distance map.
+const double mapByChance = 0.3;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
 const double usualFallRate = 0.02;
 const double usualCountRate = 0.1;
+const double nearerRate = 0.1; // Of the distance to the image's edges; the slow one above where it grows.
 const double unsteadinessRate = 0.05;
+
+// Of what is usual, less what any pose has of it.
+double beyondChance(double share, double byChance)
+{
+  return std::max(share - byChance, 0.) / (1. - byChance);
+}
 
 // 1 for a distance of 0, falling to 0 at the reach.
 double closeness(double distance, double reach)
@@ -51,6 +60,18 @@ double vpMbMultiCueTracker::edgeAgreement() const
     sum += closeness(row.error, edgeReach / impl.frameCamera.get_px());
   }
   return impl.edges.matches().empty() ? 0. : sum / static_cast<double>(impl.edges.matches().size());
+}
+
+// How well the distance map agrees with the pose, as a share of what it had in trusted frames. Beside the matches,
+// which clutter has for nearly every pose, it tells wrong poses: on rendered sequences with edges alone, right ones had
+// 0.8 to 1.1 of it in 96 % of the frames, and wrong ones less than 0.8 in half of theirs.
+double vpMbMultiCueTracker::mapShare()
+{
+  Impl &impl = *m_impl;
+  impl.viewSphere();
+  const vpPoseScore::Value value = impl.poseScore(m_cMo);
+  impl.agreement.mapDistance = value.isSeen ? value.distance : 1.;
+  return beyondChance(Impl::countedShare(1. - impl.agreement.mapDistance, 1. - impl.usual.mapDistance), mapByChance);
 }
 
 double vpMbMultiCueTracker::pointAgreement() const
@@ -104,7 +125,9 @@ double vpMbMultiCueTracker::explainedShare()
     agreement.edges = edgeAgreement();
     agreement.edgeCount = static_cast<double>(impl.edges.matches().size());
     const double share = impl.countedShare(agreement.edges, impl.usual.edges);
-    add(std::max(share - edgesByChance, 0.) / (1. - edgesByChance), impl.reliability(impl.unsteadiness.edges));
+    const double matched = beyondChance(share, edgesByChance);
+    const bool isAlone = impl.type == EDGE_TRACKER;
+    add(isAlone ? 0.5 * (matched + mapShare()) : matched, impl.reliability(impl.unsteadiness.edges));
   }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     agreement.color = impl.color.evidenceAt(m_cMo);
@@ -136,6 +159,11 @@ void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
     impl.usual.edges = shareOfStart * edgeAgreement();
     impl.usual.edgeCount = static_cast<double>(impl.edges.matches().size());
   }
+  if (impl.type == EDGE_TRACKER) {
+    impl.scoreFrame(frame);
+    mapShare();
+    impl.usual.mapDistance = impl.agreement.mapDistance;
+  }
   if (impl.uses(COLOR_TRACKER) && !impl.color.settings().scales.empty()) {
     impl.usual.color = shareOfStart * impl.color.evidenceAt(m_cMo);
   }
@@ -157,6 +185,8 @@ void vpMbMultiCueTracker::learnUsual()
     usual += rate * (value - usual);
   };
   impl.usual.edgeCount += usualCountRate * (impl.agreement.edgeCount - impl.usual.edgeCount);
+  const double farther = impl.agreement.mapDistance - impl.usual.mapDistance;
+  impl.usual.mapDistance += (farther > 0. ? usualFallRate : nearerRate) * farther;
   learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);
   learn(impl.agreement.color, impl.usual.color, impl.unsteadiness.color);
   learn(impl.agreement.points, impl.usual.points, impl.unsteadiness.points);

@@ -45,17 +45,24 @@ double vpMbMultiCueTracker::Impl::surpriseAt(const vpHomogeneousMatrix &cMo) con
   return std::min(distance * distance + angle * angle, mostFar);
 }
 
-// Of half a turn, and of two diameters; from where the object was, or may have moved to, whichever is nearest.
+// Of half a turn, and of two diameters; from where the object was, may have moved to, or was detected, whichever is
+// nearest.
 double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) const
 {
   const Eigen::Isometry3d now = vpPoseExponential::toEigen(cMo);
   const Eigen::Vector3d centre = model->centre();
-  double least = HUGE_VAL;
-  for (const vpHomogeneousMatrix &pose : whereabouts()) {
+  const auto changeFrom = [&](const vpHomogeneousMatrix &pose) {
     const Eigen::Isometry3d before = vpPoseExponential::toEigen(pose);
     const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
     const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
-    least = std::min(least, Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift));
+    return Eigen::AngleAxisd(turn).angle() / M_PI + std::min(shift, mostShift);
+  };
+  double least = HUGE_VAL;
+  for (const vpHomogeneousMatrix &pose : whereabouts()) {
+    least = std::min(least, changeFrom(pose));
+  }
+  for (const vpWeightedPose &pose : rough.detected) {
+    least = std::min(least, changeFrom(pose.cMo));
   }
   return least;
 }
@@ -102,6 +109,9 @@ bool vpMbMultiCueTracker::isContradicted() const
 bool vpMbMultiCueTracker::isDecisive() const
 {
   const Impl &impl = *m_impl;
+  if (impl.type == EDGE_TRACKER) { // There are many edges that no object of this shape has.
+    return false;
+  }
   if (impl.surface.texture() < Impl::leastTexture) {
     return impl.confirmations > 0;
   }
@@ -211,6 +221,10 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   Impl &impl = *m_impl;
   impl.attempted.clear();
   impl.recallLearnt();
+  if (impl.type == EDGE_TRACKER) {
+    impl.scoreFrame(frame);
+    impl.hypotheses.clear();
+  }
   if (impl.mustConfirm) {
     impl.beginTracks(m_cMo);
   }

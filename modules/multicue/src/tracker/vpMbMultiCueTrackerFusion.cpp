@@ -77,7 +77,7 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
   if (impl.symmetries.hasAxis()) { // Only points on the surface may show a turn.
     impl.fusion.setVisibleMotions(impl.symmetries.visibleMotions(), KLT_TRACKER);
   }
-  if (impl.type != EDGE_TRACKER) {
+  if (impl.comparesAttempts()) {
     setPrior();
     impl.fusion.setPrior(impl.prior);
   }
@@ -223,7 +223,7 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
   if (impl.type != EDGE_TRACKER) {
     impl.surface.setFrame(frame);
   }
-  if (!impl.uses(COLOR_TRACKER) && !impl.uses(KLT_TRACKER)) {
+  if (!impl.judgesCues()) {
     return;
   }
   computeView(frame, m_cMo);
@@ -242,8 +242,10 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
   trusted = 1.;
   impl.fusion.keepWeights(trusted);
   updateReferences();
-  learnKeyframe(frame);
-  impl.keyframeIsProvisional = true;
+  if (impl.type != EDGE_TRACKER) {
+    learnKeyframe(frame);
+    impl.keyframeIsProvisional = true;
+  }
   learnUsualOfStart(frame);
 }
 

@@ -114,7 +114,7 @@ void vpMbMultiCueTracker::moveParticles(const vpCueFrame &frame)
   const double diameter = impl.model->diameter();
   if (!particles.isStarted()) {
     particles.restart(impl.trusted.cMo * oMb, diameter);
-    particles.followed = particles.explained = impl.trusted.cMo * oMb;
+    particles.follow(impl.trusted.cMo * oMb);
   }
   vpHomogeneousMatrix bMp;
   if (particles.settings().motion == vpParticleSettings::VELOCITY && impl.kalman.isStarted()) {
@@ -250,6 +250,7 @@ void vpMbMultiCueTracker::updateParticles(const vpCueFrame &frame, const std::ve
     particles.proposalValues.push_back(logAt(cMo));
   }
   const bool isPossible = particles.weigh(particles.values, particles.proposals, particles.proposalValues);
+  particles.follow(m_cMo * oMb);
   // An object that was found elsewhere is beyond their reach.
   if (!isPossible ||
       (impl.state == vpTrackingState::TRACKING && !particles.reach(m_cMo * oMb, impl.model->diameter()))) {

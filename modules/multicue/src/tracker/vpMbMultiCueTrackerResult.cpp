@@ -42,7 +42,7 @@ double vpMbMultiCueTracker::Impl::score() const
   if (!isJudged || good == 0) {
     return 0.;
   }
-  if (type != EDGE_TRACKER) {
+  if (judgesCues()) {
     return state == vpTrackingState::LOST ? 0. : belief.probability();
   }
   return support();
@@ -57,7 +57,7 @@ vpMbTrackingResult::Cue vpMbMultiCueTracker::Impl::resultOf(int cue) const
   result.good = supportOf[indexOf(cue)].good;
   if (cue == EDGE_TRACKER) {
     result.name = "edge";
-    result.agreement = type == EDGE_TRACKER ? none : agreement.edges;
+    result.agreement = judgesCues() ? agreement.edges : none;
   } else if (cue == COLOR_TRACKER) {
     result.name = "color";
     result.agreement = agreement.color;

@@ -246,17 +246,6 @@ bool vpMbMultiCueTracker::resumeStart(const vpCueFrame &frame)
     impl.isJudged = true;
     return rough.phase == vpRoughStart::UNCONFIRMED;
   }
-  const bool isLost = rough.phase == vpRoughStart::NONE && impl.state == vpTrackingState::LOST;
-  if (isLost && impl.type == EDGE_TRACKER && !rough.detected.empty()) { // It has no search of its own.
-    const vpHomogeneousMatrix cMo = m_cMo;
-    rough.candidates = rough.detected;
-    rough.spread = vpPoseSearch::near();
-    if (!searchStart(frame)) {
-      rough.clear();
-      impl.trust(cMo);
-      m_cMo = cMo;
-    }
-  }
   return true;
 }
 

@@ -21,6 +21,7 @@ const unsigned int neededAhead = 6;
 // off is all that explains it, the object is lost at once.
 const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
+const unsigned int mostDoubtfulByEdges = 3; // Edges alone lead from one wrong pose to the next.
 // One that is lost again within as many frames was no right one, perhaps.
 const unsigned int fewFrames = 60;
 const double leastInside = 0.3; // Share of the outline that is in the image.
@@ -40,7 +41,7 @@ void vpMbMultiCueTracker::judge(bool estimated)
     impl.outcome = impl.good == 0 ? vpMbTrackingResult::Reason::NOTHING_SEEN : vpMbTrackingResult::Reason::FEW_FEATURES;
   } else {
     impl.state = impl.good < needed ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
-    if (impl.type != EDGE_TRACKER) {
+    if (impl.comparesAttempts()) {
       impl.state = impl.stateOf(impl.best.explained);
     }
     impl.outcome = impl.state == vpTrackingState::TRACKING    ? vpMbTrackingResult::Reason::WELL_EXPLAINED
@@ -83,7 +84,7 @@ void vpMbMultiCueTracker::setThrowOnLoss(bool flag)
 void vpMbMultiCueTracker::confirm()
 {
   Impl &impl = *m_impl;
-  if (impl.type == EDGE_TRACKER || !impl.searches) {
+  if (!impl.searches) {
     return;
   }
   const vpTrackingState stateBefore = impl.state;
@@ -97,7 +98,7 @@ void vpMbMultiCueTracker::confirm()
 void vpMbMultiCueTracker::believe()
 {
   Impl &impl = *m_impl;
-  if (impl.type == EDGE_TRACKER) {
+  if (!impl.judgesCues()) {
     return;
   }
   if (impl.state == vpTrackingState::LOST) {
@@ -158,10 +159,11 @@ void vpMbMultiCueTracker::confirmState()
     return;
   }
   const double inside = impl.insideShare(m_cMo);
+  const unsigned int mostDoubt = impl.comparesAttempts() ? mostDoubtful : mostDoubtfulByEdges;
   const bool isExplained = impl.state == vpTrackingState::TRACKING;
   impl.outsideFrames = inside < leastInside ? impl.outsideFrames + 1 : 0;
   impl.doubtfulFrames = isExplained ? 0 : impl.doubtfulFrames + 1;
-  if (impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubtful || impl.best.isFar) {
+  if (impl.outsideFrames >= mostOutside || impl.doubtfulFrames >= mostDoubt || impl.best.isFar) {
     impl.noteLoss();
   }
   if (inside < leastInside) {

@@ -31,6 +31,8 @@ BEGIN_VISP_NAMESPACE
 struct vpMbMultiCueTracker::Agreement
 {
   double edges = 0.;
+  double mapDistance =
+      0.;                //!< Mean distance to the edges of the image ([T10] eq. 11), for edges alone; 1 is the largest.
   double edgeCount = 0.; //!< How many there are to agree with.
   double color = 0.;
   double points = 0.;
@@ -143,7 +145,7 @@ public:
   //! What a share of what is usually explained says of the pose.
   static vpTrackingState stateOf(double share);
   //! True where the pose may be learnt from.
-  bool isTrusted() const { return type == EDGE_TRACKER || state == vpTrackingState::TRACKING; }
+  bool isTrusted() const { return !judgesCues() || state == vpTrackingState::TRACKING; }
   //! Of how the object moves, nothing is known any more.
   void forgetMotion()
   {
@@ -165,11 +167,15 @@ public:
   double rivalDistance(const vpHomogeneousMatrix &c1Mb, const vpHomogeneousMatrix &c2Mb) const;
   void restrictHypotheses(const vpMatrix &oJo);
   bool uses(int cue) const { return (type & cue) != 0; }
+  //! True where a pose is judged by what the cues have there of what is usual.
+  bool judgesCues() const { return type != EDGE_TRACKER || searches; }
+  //! True where attempts from several starts are compared by that; with edges alone: after a loss.
+  bool comparesAttempts() const { return type != EDGE_TRACKER || (searches && mustConfirm); }
   //! True where the Kalman filter has to follow the object.
   bool usesVelocity() const
   {
     const vpParticleSettings &settings = particles.settings();
-    return predicts || (settings.enabled && settings.motion == vpParticleSettings::VELOCITY);
+    return predicts || searches || (settings.enabled && settings.motion == vpParticleSettings::VELOCITY);
   }
   //! Why a cue that was matched gave no equation.
   std::string missingRows(int cue) const;

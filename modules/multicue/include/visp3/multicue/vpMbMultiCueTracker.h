@@ -239,7 +239,7 @@ public:
     with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
     confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
     takes ten to thirty times as long as others, 50 to 170 ms with 640 x 480 pixels on one core of a shared server. Off
-    by default; with edges alone, only starts that were refused and poses of a detector are looked for.
+    by default. With edges alone, too, state and score are then of what the pose explains (\ref multicue_search_edges).
     \param flag On or off; may change between frames, and init() begins anew.
   */
   void setSearch(bool flag);
@@ -392,6 +392,7 @@ private:
   void predictRange(const vpPoseMatrix6 &covariance);
   void matchEdges(const vpCueFrame &frame);
   double edgeAgreement() const;
+  double mapShare();
   double pointAgreement() const;
   double explainedShare();
   void learnUsual();
@@ -463,6 +464,7 @@ private:
   bool refineHypothesis(const vpCueFrame &frame, std::size_t index, unsigned int most);
   bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
+  void judgeEdges(const vpCueFrame &frame);
   void learn(const vpCueFrame &frame);
   void learnKeyframe(const vpCueFrame &frame);
   bool tryKeyframes(const vpCueFrame &frame, bool isNear);

@@ -45,7 +45,7 @@ struct vpMbTrackingResult
     /*!
       How well the cue agrees with the pose, at least 0: 1 for edges and points that are where they should be, and about
       1 for colours. The state is judged by it where cues are fused; not a number where the cue is not asked: edges
-      alone, and points beside other cues.
+      alone without a search, and points beside other cues.
     */
     double agreement = 0.;
     std::string reason; //!< vpMbMultiCueTracker::getCueReason(): empty where the cue took part in the pose.
@@ -67,9 +67,9 @@ struct vpMbTrackingResult
   vpMatrix covariance;
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   /*!
-    How far to believe the pose, [0, 1]; 0 before the first image and while the object is lost. With several cues it is
-    the probability that the pose is right, see \ref multicue_search_belief; with edges alone the share of the control
-    points that support it, which is no probability.
+    How far to believe the pose, [0, 1]; 0 before the first image and while the object is lost. With several cues
+    or a search it is the probability that the pose is right, see \ref multicue_search_belief; with edges alone and no
+    search the share of the control points that support it, which is no probability.
   */
   double score = 0.;
   Reason reason = Reason::NOT_STARTED;
