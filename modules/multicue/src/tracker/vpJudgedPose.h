@@ -11,6 +11,8 @@ struct vpJudgedPose
 {
   //! Of what the trusted frames before had: what explains less is no explanation of an image.
   static constexpr double badlyExplained = 0.65;
+  //! At a pose that explains less the object is lost.
+  static constexpr double leastExplained = 0.4;
 
   double explained = -1.; //!< Less than any pose explains.
   double value = -2.;     //!< What poses are compared by.
@@ -21,7 +23,7 @@ struct vpJudgedPose
   bool isBetterThan(const vpJudgedPose &other, bool isLost) const
   {
     const vpJudgedPose &near = isFar ? other : *this;
-    if (!isLost && isFar != other.isFar && near.explained >= badlyExplained) {
+    if (!isLost && isFar != other.isFar && near.explained >= leastExplained) {
       return !isFar;
     }
     return value > other.value;

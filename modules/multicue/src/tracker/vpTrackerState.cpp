@@ -19,7 +19,6 @@ const double usualFactor = 1.15;
 const double usualRate = 0.2;
 // Shares of what trusted frames explained.
 const double trustedExplained = 0.65;
-const double leastExplained = 0.4;
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
 const double rightAtStart = 0.98; // Of a pose that the user gave.
@@ -134,7 +133,7 @@ void vpMbMultiCueTracker::Impl::countSupport(bool estimated)
 
 vpTrackingState vpMbMultiCueTracker::Impl::stateOf(double share)
 {
-  if (share < leastExplained) {
+  if (share < vpJudgedPose::leastExplained) {
     return vpTrackingState::LOST;
   }
   return share < trustedExplained ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
