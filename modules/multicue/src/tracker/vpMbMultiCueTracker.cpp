@@ -195,12 +195,12 @@ void vpMbMultiCueTracker::judgeEdges(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   if (!impl.particles.settings().enabled) {
-    impl.scoreFrame(frame);
+    impl.scoreRegion(frame, impl.regionAround(m_cMo));
   }
-  explainedShare(); // For what is usual of the matches.
+  lookAtEdges(); // For what is usual of the matches.
   double share = mapShare();
   if (impl.stateOf(share) != vpTrackingState::TRACKING && impl.scoredFrame != frame.number()) {
-    impl.scoreFrame(frame); // The pose may be outside the region that the particles needed.
+    impl.scoreFrame(frame); // The pose may be outside the region.
     share = mapShare();
   }
   impl.best = Impl::Attempt();

@@ -74,6 +74,12 @@ double vpMbMultiCueTracker::mapShare()
   return beyondChance(Impl::countedShare(1. - impl.agreement.mapDistance, 1. - impl.usual.mapDistance), mapByChance);
 }
 
+void vpMbMultiCueTracker::lookAtEdges()
+{
+  m_impl->agreement.edges = edgeAgreement();
+  m_impl->agreement.edgeCount = static_cast<double>(m_impl->edges.matches().size());
+}
+
 double vpMbMultiCueTracker::pointAgreement() const
 {
   const Impl &impl = *m_impl;
@@ -122,8 +128,7 @@ double vpMbMultiCueTracker::explainedShare()
     cues += weight;
   };
   if (impl.uses(EDGE_TRACKER)) {
-    agreement.edges = edgeAgreement();
-    agreement.edgeCount = static_cast<double>(impl.edges.matches().size());
+    lookAtEdges();
     const double share = impl.countedShare(agreement.edges, impl.usual.edges);
     const double matched = beyondChance(share, edgesByChance);
     const bool isAlone = impl.type == EDGE_TRACKER;

@@ -392,6 +392,7 @@ private:
   void predictRange(const vpPoseMatrix6 &covariance);
   void matchEdges(const vpCueFrame &frame);
   double edgeAgreement() const;
+  void lookAtEdges();
   double mapShare();
   double pointAgreement() const;
   double explainedShare();
