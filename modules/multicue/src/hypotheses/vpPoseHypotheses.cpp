@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numeric>
 
 BEGIN_VISP_NAMESPACE
@@ -77,7 +78,7 @@ public:
   vpClassDraw draws;
   std::vector<std::size_t> order; // Of the draws, the best first.
   std::vector<double> scores;     // Of each draw.
-  std::vector<Work> works;        // Memory; the first `minimised` are in use.
+  std::deque<Work> works; // Memory, which grows without copies as vpCueFusion's; the first `minimised` are in use.
   std::size_t minimised = 0;
   std::vector<Kept> kept; // Of each of found, in the same order.
   std::vector<vpPoseHypothesis> found;

@@ -9,6 +9,7 @@
 #include <visp3/core/vpRobust.h>
 #include <visp3/cues/vpPoseCue.h>
 
+#include <deque>
 #include <functional>
 #include <vector>
 
@@ -100,7 +101,7 @@ private:
 
   void hide(const vpHomogeneousMatrix &cMo, Part &part) const;
 
-  std::vector<Memory> m_parts;
+  std::deque<Memory> m_parts; // Grows without copies, which of an empty vpColVector are undefined in ViSP 3.5.
   std::size_t m_count = 0;
   vpHomogeneousMatrix m_pose;
   bool m_hides = false;

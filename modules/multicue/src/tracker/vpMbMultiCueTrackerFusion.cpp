@@ -220,13 +220,23 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.frameCamera = frame.camera();
-  if (impl.type != EDGE_TRACKER) {
-    impl.surface.setFrame(frame);
-  }
   if (!impl.judgesCues()) {
     return;
   }
   computeView(frame, m_cMo);
+  if (impl.type != EDGE_TRACKER) {
+    impl.surface.setFrame(frame);
+    learnReferencesOfStart(frame);
+    learnKeyframe(frame);
+    impl.keyframeIsProvisional = true;
+  }
+  learnUsualOfStart(frame);
+}
+
+// Edges need none.
+void vpMbMultiCueTracker::learnReferencesOfStart(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
   impl.fusion.clear();
   if (impl.uses(COLOR_TRACKER)) {
     impl.color.setLevel(impl.color.levels());
@@ -242,11 +252,6 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
   trusted = 1.;
   impl.fusion.keepWeights(trusted);
   updateReferences();
-  if (impl.type != EDGE_TRACKER) {
-    learnKeyframe(frame);
-    impl.keyframeIsProvisional = true;
-  }
-  learnUsualOfStart(frame);
 }
 
 void vpMbMultiCueTracker::setColorSettings(const vpColorCueSettings &settings)

@@ -139,10 +139,9 @@ public:
                           const vpPoseDeviation &deviation = vpPoseDeviation());
   /*!
     Asks a program of yours where the object may be: once in each track() before which it was lost, or found again and
-    not yet confirmed, where setSearch() is on. Its poses are looked at beside those that the search finds by itself;
-    with edges alone they are all that there is. Poses that cannot be are passed over, and what it throws stays inside;
-    getTrackingResult() tells so. Off by default. \param detector May be called until the next setDetector() or the
-    tracker's end; an empty one, or null, removes it.
+    not yet confirmed, where setSearch() is on. Its poses are looked at beside those that the search finds by itself.
+    Poses that cannot be are passed over, and what it throws stays inside; getTrackingResult() tells so. Off by default.
+    \param detector May be called until the next setDetector() or the tracker's end; an empty one, or null, removes it.
   */
   void setDetector(const vpPoseDetector &detector);
   /*!
@@ -168,7 +167,7 @@ public:
   //! How the last frame went; UNCERTAIN before the first one.
   vpTrackingState getTrackingState() const;
   //! Share of the features that the robust estimation kept in the last frame, [0, 1]. The state is judged by it with
-  //! edges alone, and with other cues by what the pose explains, see \ref multicue_fusion.
+  //! edges alone and no search, and else by what the pose explains, see \ref multicue_fusion.
   double getSupport() const;
   //! Where the time of the last track() went.
   const vpTrackingTimings &getTimings() const;
@@ -415,6 +414,7 @@ private:
   void setPrior();
   void learnSurprise();
   void learnStart(const vpCueFrame &frame);
+  void learnReferencesOfStart(const vpCueFrame &frame);
   bool estimateFused(const vpCueFrame &frame);
   bool takeNearestAlike(const vpCueFrame &frame);
   void estimateCoarse(const vpCueFrame &frame);
