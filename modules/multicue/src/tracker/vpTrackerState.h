@@ -31,8 +31,8 @@ BEGIN_VISP_NAMESPACE
 struct vpMbMultiCueTracker::Agreement
 {
   double edges = 0.;
-  double mapDistance =
-      0.;                //!< Mean distance to the edges of the image ([T10] eq. 11), for edges alone; 1 is the largest.
+  //! Mean distance to the edges of the image ([T10] eq. 11), for edges alone; 1 is the largest.
+  double mapDistance = 0.;
   double edgeCount = 0.; //!< How many there are to agree with.
   double color = 0.;
   double points = 0.;
