@@ -202,7 +202,7 @@ TEST_CASE("A detector brings back an object that was lost", "[rough]")
     CHECK((calls > 0) == hasDetector);
     const std::string text = box.tracker.getTrackingResult().text;
     CHECK((text.find("pose 0 of the detector is passed over") != std::string::npos) == hasDetector);
-    box.show(back, 10); // Six of them have to confirm the pose.
+    box.show(back, 8); // Six of them have to confirm the pose.
     CHECK(box.isRight(back) == hasDetector);
     CHECK((box.isTracking() && box.isRight(back)) == hasDetector);
   }

@@ -194,7 +194,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
 void vpMbMultiCueTracker::judgeEdges(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  if (!impl.particles.settings().enabled) {
+  if (!impl.particles.settings().enabled && impl.scoredFrame != frame.number()) {
     impl.scoreRegion(frame, impl.regionAround(m_cMo));
   }
   lookAtEdges(); // For what is usual of the matches.
@@ -208,6 +208,7 @@ void vpMbMultiCueTracker::judgeEdges(const vpCueFrame &frame)
   impl.best.explained = impl.best.value = share;
   if (impl.state != vpTrackingState::LOST) {
     impl.state = impl.stateOf(share);
+    impl.outcome = impl.outcomeOf(impl.state);
   }
 }
 

@@ -68,7 +68,6 @@ double vpMbMultiCueTracker::edgeAgreement() const
 double vpMbMultiCueTracker::mapShare()
 {
   Impl &impl = *m_impl;
-  impl.viewSphere();
   const vpPoseScore::Value value = impl.poseScore(m_cMo);
   impl.agreement.mapDistance = value.isSeen ? value.distance : 1.;
   return beyondChance(Impl::countedShare(1. - impl.agreement.mapDistance, 1. - impl.usual.mapDistance), mapByChance);

@@ -44,9 +44,7 @@ void vpMbMultiCueTracker::judge(bool estimated)
     if (impl.comparesAttempts()) {
       impl.state = impl.stateOf(impl.best.explained);
     }
-    impl.outcome = impl.state == vpTrackingState::TRACKING    ? vpMbTrackingResult::Reason::WELL_EXPLAINED
-                   : impl.state == vpTrackingState::UNCERTAIN ? vpMbTrackingResult::Reason::PARTLY_EXPLAINED
-                                                              : vpMbTrackingResult::Reason::CONTRADICTED;
+    impl.outcome = impl.outcomeOf(impl.state);
   }
   impl.isJudged = true;
   impl.reason = std::to_string(impl.good) + " of " + std::to_string(impl.expected) + " features support the pose";

@@ -17,8 +17,6 @@ const double explained = 0.8; // Pixels.
 // Objects with edges that the image hardly shows never get there: a pose may leave this much more than the ones before.
 const double usualFactor = 1.15;
 const double usualRate = 0.2;
-// Shares of what trusted frames explained.
-const double trustedExplained = 0.65;
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
 const double rightAtStart = 0.98; // Of a pose that the user gave.
@@ -136,7 +134,20 @@ vpTrackingState vpMbMultiCueTracker::Impl::stateOf(double share)
   if (share < vpJudgedPose::leastExplained) {
     return vpTrackingState::LOST;
   }
-  return share < trustedExplained ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
+  return share < vpJudgedPose::badlyExplained ? vpTrackingState::UNCERTAIN : vpTrackingState::TRACKING;
+}
+
+vpMbTrackingResult::Reason vpMbMultiCueTracker::Impl::outcomeOf(vpTrackingState state)
+{
+  switch (state) {
+  case vpTrackingState::TRACKING:
+    return vpMbTrackingResult::Reason::WELL_EXPLAINED;
+  case vpTrackingState::UNCERTAIN:
+    return vpMbTrackingResult::Reason::PARTLY_EXPLAINED;
+  case vpTrackingState::LOST:
+    break;
+  }
+  return vpMbTrackingResult::Reason::CONTRADICTED;
 }
 
 double vpMbMultiCueTracker::Impl::explainedResidue() const

@@ -144,6 +144,8 @@ public:
   void learnResidue();
   //! What a share of what is usually explained says of the pose.
   static vpTrackingState stateOf(double share);
+  //! Why the state is that, where enough features were found to tell.
+  static vpMbTrackingResult::Reason outcomeOf(vpTrackingState state);
   //! True where the pose may be learnt from.
   bool isTrusted() const { return !judgesCues() || state == vpTrackingState::TRACKING; }
   //! Of how the object moves, nothing is known any more.
