@@ -17,8 +17,10 @@ const unsigned int mostTries = 6;
 // What deceives seldom does so in several images at the same pose; they are alike, though: not the root.
 const double againPower = 0.25;
 const double leastEdgeAdvantage = 1.1;
-// Correlation with the model's colours: an object of the same shape and other colours has about 0.
-const double leastModelColors = 0.25;
+// Correlation with the model's colours: an object of the same shape and other colours has about 0. The best of many
+// poses on something else reaches more, and the more images are searched the more: on rendered objects 0.25 to 0.35.
+const double leastModelColors = 0.33;
+const double modelColorsPerTry = 0.02;
 const double leastEdges = 0.57;
 // The fewer of the edges are found below this share, the more of an advantage is needed.
 const double usualEdges = 0.69;
@@ -65,9 +67,18 @@ double vpStartEvidence::advantage() const
 double vpStartEvidence::neededAdvantage() const
 {
   const double missing = m_support.hasEdges ? std::max(0., usualEdges - mean(m_support.edges)) : 0.;
-  const double again = perTry * (std::min(std::max(m_tries, 1U), mostTries) - 1U);
-  const double once = leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage + again);
+  const double once = leastEdgeAdvantage + m_trust * (leastAdvantage - leastEdgeAdvantage + perTry * triesBefore());
   return once / std::pow(1. + m_again, againPower) + perMissingEdges * missing;
+}
+
+double vpStartEvidence::neededModelColors() const
+{
+  return m_trust * (leastModelColors + modelColorsPerTry * triesBefore());
+}
+
+double vpStartEvidence::triesBefore() const
+{
+  return std::min(std::max(m_tries, 1U), mostTries) - 1U;
 }
 
 bool vpStartEvidence::isEnough(double strict) const
@@ -81,8 +92,9 @@ std::string vpStartEvidence::text(double strict) const
     return "it is " + number(advantage()) + " deviations better than what is elsewhere in the image, " +
            number(strict * neededAdvantage()) + " are needed";
   }
-  if (mean(m_modelColors) < strict * m_trust * leastModelColors) {
-    return "the image does not have the model's colours there (correlation " + number(mean(m_modelColors)) + ")";
+  if (mean(m_modelColors) < strict * neededModelColors()) {
+    return "the image does not have the model's colours there (correlation " + number(mean(m_modelColors)) + " of " +
+           number(strict * neededModelColors()) + ")";
   }
   if (m_support.hasEdges && mean(m_support.edges) < strict * leastEdges) {
     return "a share of " + number(mean(m_support.edges)) + " of the edges is there, " + number(strict * leastEdges) +

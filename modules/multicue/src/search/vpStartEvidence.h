@@ -43,6 +43,9 @@ public:
 private:
   double mean(double sum) const { return m_frames > 0 ? sum / static_cast<double>(m_frames) : 0.; }
   double neededAdvantage() const;
+  double neededModelColors() const;
+  // Images in which the object was looked for in vain, up to a number.
+  double triesBefore() const;
 
   unsigned int m_tries = 1;
   unsigned int m_again = 0;
