@@ -227,6 +227,7 @@ void vpMbMultiCueTracker::followDoubtful()
 void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
+  ++impl.trustedFrames;
   updateReferences();
   impl.learnResidue();
   if (impl.judgesCues()) {

@@ -22,8 +22,8 @@ const unsigned int neededAhead = 6;
 const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
 const unsigned int mostDoubtfulByEdges = 3; // Edges alone lead from one wrong pose to the next.
-// One that is lost again within as many frames was no right one, perhaps.
-const unsigned int fewFrames = 60;
+// A pose that was trusted in fewer frames until it was lost again was no right one, perhaps.
+const unsigned int fewTrusted = 10;
 const double leastInside = 0.3; // Share of the outline that is in the image.
 const double trustedBelief = 0.7;
 const double mostLead = 0.25; // That counts, of what a pose explains more than others.
@@ -123,7 +123,7 @@ void vpMbMultiCueTracker::Impl::noteLoss()
   }
   mustConfirm = true;
   farDeviation = mostFarDeviation;
-  if (learntBefore && foundFrames < fewFrames) {
+  if (learntBefore && trustedFrames < fewTrusted) {
     mustRecall = true;
   } else {
     learntBefore = std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted});
@@ -149,7 +149,6 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
 void vpMbMultiCueTracker::confirmState()
 {
   Impl &impl = *m_impl;
-  ++impl.foundFrames;
   if (impl.state == vpTrackingState::LOST) {
     ++impl.lostFrames;
     impl.confirmations = 0;
@@ -176,7 +175,7 @@ void vpMbMultiCueTracker::confirmState()
   impl.lostFrames += confirms ? 0 : 1;
   if (isConfirmed(inside)) {
     impl.mustConfirm = false;
-    impl.foundFrames = 0;
+    impl.trustedFrames = 0;
     impl.lostFrames = 0;
     impl.doubtfulFrames = 0;
     impl.searched.clear();

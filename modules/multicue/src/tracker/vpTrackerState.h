@@ -273,7 +273,7 @@ public:
   void recallLearnt();
   std::unique_ptr<Learnt> learntBefore; // Before the last loss; null where there was none.
   bool mustRecall = false;              // What was learnt since then is of something else.
-  unsigned int foundFrames = 0;         // Since the object was found again.
+  unsigned int trustedFrames = 0;       // Since the object was found again.
   unsigned int confirmations = 0;       // Frames that explained a pose on end since the object was lost.
   vpPoseTracks tracks;                  // While it has to be confirmed.
   //! True where two poses are followed as one.
