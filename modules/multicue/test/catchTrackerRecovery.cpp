@@ -245,6 +245,21 @@ TEST_CASE("With edges alone it is found as well, with and without particles", "[
   }
 }
 
+TEST_CASE("An object that is soon lost again is looked for where it was seen last", "[recovery]")
+{
+  Tracked object(true, Tracked::edgesAndPoints); // Colours would tell where it is.
+  object.darken();
+  checkReturn(object.comeBack(turned(-40.), 14));
+  vpHomogeneousMatrix last;
+  for (int i = 1; i <= 30; ++i) {
+    last = displaced(turned(-40.), Eigen::Vector3d::UnitZ(), 7., {0.014 - 0.008 * i, 0.003 * i, 0.});
+    object.show(last);
+    CHECK(object.isTracking());
+  }
+  object.darken();
+  checkReturn(object.comeBack(last, 14));
+}
+
 TEST_CASE("Without a search it is not", "[recovery]")
 {
   Tracked gone(false);
