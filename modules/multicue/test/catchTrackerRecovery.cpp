@@ -251,7 +251,7 @@ TEST_CASE("An object that is soon lost again is looked for where it was seen las
   object.darken();
   checkReturn(object.comeBack(turned(-40.), 14));
   vpHomogeneousMatrix last;
-  for (int i = 1; i <= 30; ++i) {
+  for (int i = 1; i <= 30; ++i) { // On from the last pose of comeBack(), out of reach of where it was before.
     last = displaced(turned(-40.), Eigen::Vector3d::UnitZ(), 7., {0.014 - 0.008 * i, 0.003 * i, 0.});
     object.show(last);
     CHECK(object.isTracking());

@@ -18,7 +18,7 @@ const unsigned int mostTries = 6;
 const double againPower = 0.25;
 const double leastEdgeAdvantage = 1.1;
 // Correlation with the model's colours: an object of the same shape and other colours has about 0. The best of many
-// poses on something else reaches more, and the more images are searched the more: on rendered objects 0.25 to 0.35.
+// poses on something else reaches more, and the more images are searched the more: on rendered objects 0.25 to 0.37.
 const double leastModelColors = 0.33;
 const double modelColorsPerTry = 0.02;
 const double leastEdges = 0.57;
