@@ -233,6 +233,19 @@ TEST_CASE("An object that turns on in the dark is looked for where it turned to"
   CHECK(found >= 3);
 }
 
+TEST_CASE("An object that comes back from another distance is found there", "[recovery]")
+{
+  for (const double depth : {-0.15, 0.25}) { // Of 0.6 metres.
+    CAPTURE(depth);
+    Tracked object(true);
+    CHECK(object.leave() == 0);
+    vpHomogeneousMatrix back = elsewhere(25.);
+    back[2][3] += depth;
+    checkReturn(object.comeBack(back, 14));
+    CHECK(object.isTracking());
+  }
+}
+
 TEST_CASE("With edges alone it is found as well, with and without particles", "[recovery]")
 {
   for (const bool hasParticles : {false, true}) {

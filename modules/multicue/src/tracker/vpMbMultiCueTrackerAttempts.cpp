@@ -22,7 +22,8 @@ const double toleratedPenalty = 0.05;
 const double unknownAfterLoss = 0.25; // Weight of a surface that was never seen.
 // Of half a turn, or two diameters.
 const double changePenalty = 0.1;
-const double mostShift = 1.5; // Of two diameters; beyond it, shifts are equally unlikely.
+const double mostShift = 1.5;    // Of two diameters; beyond it, shifts are equally unlikely.
+const double depthPenalty = 0.3; // Of a distance that is e times what it was.
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
 // Turns of the object that are tried, radians.
@@ -67,6 +68,29 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   return least;
 }
 
+// Logarithm of the factor between the distances now and when it was trusted, or detected, 1 at most: a pose far behind
+// what the image shows fits into it, and drifts away.
+double vpMbMultiCueTracker::Impl::depthChange(const vpHomogeneousMatrix &cMo) const
+{
+  const double now = depthOf(cMo);
+  const auto changeFrom = [&](const vpHomogeneousMatrix &pose) {
+    const double before = depthOf(pose);
+    return now > 0. && before > 0. ? std::min(std::fabs(std::log(now / before)), 1.) : 1.;
+  };
+  double least = changeFrom(trusted.cMo);
+  for (const vpWeightedPose &pose : rough.detected) {
+    least = std::min(least, changeFrom(pose.cMo));
+  }
+  return least;
+}
+
+// Of the object's middle, metres.
+double vpMbMultiCueTracker::Impl::depthOf(const vpHomogeneousMatrix &cMo) const
+{
+  const Eigen::Vector3d centre = model->centre();
+  return cMo[2][0] * centre.x() + cMo[2][1] * centre.y() + cMo[2][2] * centre.z() + cMo[2][3];
+}
+
 // Keeps the pose where it explains more than the best one before. \return True where that is enough.
 bool vpMbMultiCueTracker::takeAttempt(bool estimated)
 {
@@ -83,7 +107,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     const double unknown =
         unknownAfterLoss * vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
     value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo) -
-            impl.fewEdgesPenalty();
+            impl.fewEdgesPenalty() - depthPenalty * impl.depthChange(m_cMo);
     value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
   }
   const Impl::Attempt attempt = {{share, value, surprise >= mostFar}, m_cMo, impl.share, impl.usesPoints};

@@ -17,7 +17,14 @@ const std::size_t mostBlobs = 4;
 const double windowShare = 0.5;
 const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
 const vpPoseSearch::Spread atPlace = {0.08, vpPoseSearch::near().rotation, 0.15}; // That a colour showed.
-const double halfWay = 0.5; // An object that went on while it was hidden may have slowed down.
+const double depthPrior = 0.2; // Of a distance that is e times what it was.
+const double halfWay = 0.5;    // An object that went on while it was hidden may have slowed down.
+// About poses at the distance that the object had.
+const vpPoseSearch::Spread atDistance = {0.05, 0.15, 0.04};
+const std::size_t atDistanceParents = 24;
+const std::size_t atDistanceChildren = 200;
+const unsigned int atDistanceLayers = 2;
+const std::size_t atDistanceAttempts = 2;
 
 // The orientation of one pose at the place of another. \param point In the object's frame, is at that place.
 vpHomogeneousMatrix turnedAt(const vpHomogeneousMatrix &place, const vpHomogeneousMatrix &orientation,
@@ -42,7 +49,10 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   const double begin = impl.searchBudget.elapsed();
   const std::size_t number = impl.searchBudget.number(wideNumber);
   impl.scoreFrame(frame);
-  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  const auto score = [&impl](const vpHomogeneousMatrix &cMo) {
+    return impl.poseScore(cMo).total - depthPrior * impl.depthChange(cMo);
+  };
+  vpPoseSearch search(score, *impl.model, impl.draws++);
   search.setSymmetries(impl.symmetries.get());
   impl.scatterEverywhere(frame, search, number);
   if (byEdges) {
@@ -53,9 +63,48 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
     impl.settle(search);
   }
   impl.searchBudget.learn(number, begin, impl.searchBudget.elapsed() - begin);
-  attemptBest(frame, search, !byEdges);
+  const std::vector<vpHomogeneousMatrix> atDepth = impl.atTrustedDepth(search.candidates());
+  const bool isEnough = attemptBest(frame, search, !byEdges);
   impl.searched = search.candidates();
+  if (!isEnough && !impl.searchBudget.isSpent()) {
+    attemptAtDistance(frame, atDepth, byEdges);
+  }
   impl.tracks.noteSearch();
+}
+
+// Where much of the outline does not show, as that of a black part before the night sky, poses farther away score best:
+// all of them fits into what does. Turned rightly, they lead to the right one from the distance that the object had.
+void vpMbMultiCueTracker::attemptAtDistance(const vpCueFrame &frame, const std::vector<vpHomogeneousMatrix> &poses,
+                                            bool byEdges)
+{
+  Impl &impl = *m_impl;
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
+  search.scatter(poses, atDistance, 0);
+  impl.weighScore(byEdges);
+  search.score();
+  search.anneal(atDistance, atDistanceParents, atDistanceChildren, atDistanceLayers);
+  impl.weighScore(false);
+  search.keepBest(atDistanceAttempts, vpPoseSearch::same());
+  attemptBest(frame, search, false);
+}
+
+// Poses moved along the line of sight to the distance that the object had.
+std::vector<vpHomogeneousMatrix>
+vpMbMultiCueTracker::Impl::atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const
+{
+  const Eigen::Vector3d centre = model->centre();
+  const double depth = depthOf(trusted.cMo);
+  std::vector<vpHomogeneousMatrix> poses;
+  for (const vpPoseCandidate &candidate : candidates) {
+    Eigen::Isometry3d pose = vpPoseExponential::toEigen(candidate.cMo);
+    const Eigen::Vector3d at = pose * centre;
+    if (depth > 0. && at.z() > 0.) {
+      pose.translation() += (depth / at.z() - 1.) * at;
+      poses.push_back(vpPoseExponential::fromEigen(pose));
+    }
+  }
+  return poses;
 }
 
 // Where the object is if it went on as it moved when it was trusted. \param share Of the way that it would have gone.
@@ -103,7 +152,7 @@ std::vector<vpMbMultiCueTracker::Impl::Place> vpMbMultiCueTracker::Impl::placesO
   if (!uses(COLOR_TRACKER) || !color.histograms().isKnown()) {
     return places;
   }
-  const double depth = (vpPoseExponential::toEigen(trusted.cMo) * model->centre()).z();
+  const double depth = depthOf(trusted.cMo);
   const vpCameraParameters &cam = frame.camera();
   const double size = windowShare * cam.get_px() * model->diameter() / depth;
   const std::vector<vpBlob> &found = blobs.find(oddsMap, frame.width(), frame.height(), size, mostBlobs);

@@ -94,6 +94,9 @@ public:
   bool hasUnsteadyColors() const;
   //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
   double changeSince(const vpHomogeneousMatrix &cMo) const;
+  //! Its distance from the camera beside that of the last trusted one, [0, 1].
+  double depthChange(const vpHomogeneousMatrix &cMo) const;
+  double depthOf(const vpHomogeneousMatrix &cMo) const;
   //! Where the object is looked for that is expected at a pose.
   vpImageRegion regionAround(const vpHomogeneousMatrix &cMo) const;
   void settle(vpPoseSearch &search);
@@ -258,6 +261,7 @@ public:
     trusted = {cMo, velocity, time};
   }
   vpHomogeneousMatrix movedOn(double share) const;
+  std::vector<vpHomogeneousMatrix> atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const;
   //! Where the object was trusted to be, where it is if it went on as it moved then, and halfway.
   std::array<vpHomogeneousMatrix, 3> whereabouts() const;
   //! What trusted frames told of the object's looks.

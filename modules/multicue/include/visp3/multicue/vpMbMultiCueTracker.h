@@ -406,6 +406,7 @@ private:
   bool attemptBest(const vpCueFrame &frame, vpPoseSearch &search, bool byColors = true);
   void searchNear(const vpCueFrame &frame);
   void searchEverywhere(const vpCueFrame &frame);
+  void attemptAtDistance(const vpCueFrame &frame, const std::vector<vpHomogeneousMatrix> &poses, bool byEdges);
   void confirm();
   void confirmState();
   bool isConfirmed(double inside) const;
