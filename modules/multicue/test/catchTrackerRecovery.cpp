@@ -246,6 +246,20 @@ TEST_CASE("An object that comes back from another distance is found there", "[re
   }
 }
 
+TEST_CASE("A hint brings back an object at half and at twice its distance", "[recovery]")
+{
+  for (const double depth : {-0.3, 0.6}) {
+    CAPTURE(depth);
+    Tracked object(true);
+    CHECK(object.leave() == 0);
+    vpHomogeneousMatrix back = elsewhere(25.);
+    back[2][3] += depth;
+    object.tracker.setPoseHint(displaced(back, {1., 0., 0.}, 5., {0.005, 0., 0.}));
+    checkReturn(object.comeBack(back, 14));
+    CHECK(object.isTracking());
+  }
+}
+
 TEST_CASE("With edges alone it is found as well, with and without particles", "[recovery]")
 {
   for (const bool hasParticles : {false, true}) {

@@ -68,23 +68,21 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   return least;
 }
 
-// Logarithm of the factor between the distances now and when it was trusted, or detected, 1 at most: a pose far behind
-// what the image shows fits into it, and drifts away.
+// Logarithm of the factor between the distances now and when it was trusted, or where it was told to be, 1 at most: a
+// pose far behind what the image shows fits into it, and drifts away.
 double vpMbMultiCueTracker::Impl::depthChange(const vpHomogeneousMatrix &cMo) const
 {
   const double now = depthOf(cMo);
-  const auto changeFrom = [&](const vpHomogeneousMatrix &pose) {
-    const double before = depthOf(pose);
+  const auto changeFrom = [now](double before) {
     return now > 0. && before > 0. ? std::min(std::fabs(std::log(now / before)), 1.) : 1.;
   };
-  double least = changeFrom(trusted.cMo);
-  for (const vpWeightedPose &pose : rough.detected) {
-    least = std::min(least, changeFrom(pose.cMo));
+  double least = changeFrom(depthOf(trusted.cMo));
+  for (const double depth : rough.depths) {
+    least = std::min(least, changeFrom(depth));
   }
   return least;
 }
 
-// Of the object's middle, metres.
 double vpMbMultiCueTracker::Impl::depthOf(const vpHomogeneousMatrix &cMo) const
 {
   const Eigen::Vector3d centre = model->centre();

@@ -69,6 +69,12 @@ void vpMbMultiCueTracker::takeDetected(const std::vector<vpWeightedPose> &poses)
       rough.detectorText = "pose " + std::to_string(i) + " of the detector is passed over: " + e.getMessage();
     }
   }
+  if (!rough.detected.empty()) {
+    rough.depths.clear();
+    for (const vpWeightedPose &pose : rough.detected) {
+      rough.depths.push_back(impl.depthOf(pose.cMo));
+    }
+  }
 }
 
 // The likeliest poses about those that the detector gave. \return True where one of them is enough.
@@ -107,6 +113,7 @@ std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::hintStarts(const vpCueFram
   Impl &impl = *m_impl;
   vpRoughStart &rough = impl.rough;
   rough.hasHint = false;
+  rough.depths = {impl.depthOf(rough.hint)};
   impl.scoreFrame(frame);
   vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
   search.scatter(std::vector<vpHomogeneousMatrix>{rough.hint},

@@ -35,6 +35,7 @@ struct vpRoughStart
     candidates.clear();
     evidence.clear();
     tries = 0;
+    depths.clear();
   }
 
   Phase phase = NONE;
@@ -48,6 +49,8 @@ struct vpRoughStart
   vpPoseDetector detector;
   std::vector<vpWeightedPose> detected; // In this frame.
   std::string detectorText;             // What was wrong with it in this frame.
+  std::vector<double>
+      depths; // Of the poses that a hint or the detector gave last, since the object was trusted; metres.
 
   bool hasHint = false;
   vpHomogeneousMatrix hint;

@@ -94,8 +94,9 @@ public:
   bool hasUnsteadyColors() const;
   //! How far a pose is from the last trusted one: 1 for half a turn or two diameters.
   double changeSince(const vpHomogeneousMatrix &cMo) const;
-  //! Its distance from the camera beside that of the last trusted one, [0, 1].
+  //! Its depth beside that of the last trusted one, or one that a hint or a detector gave, [0, 1].
   double depthChange(const vpHomogeneousMatrix &cMo) const;
+  //! Of the object's middle, metres.
   double depthOf(const vpHomogeneousMatrix &cMo) const;
   //! Where the object is looked for that is expected at a pose.
   vpImageRegion regionAround(const vpHomogeneousMatrix &cMo) const;
@@ -259,6 +260,7 @@ public:
   void trust(const vpHomogeneousMatrix &cMo, const vpPoseTangent &velocity = vpPoseTangent::Zero())
   {
     trusted = {cMo, velocity, time};
+    rough.depths.clear();
   }
   vpHomogeneousMatrix movedOn(double share) const;
   std::vector<vpHomogeneousMatrix> atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const;
