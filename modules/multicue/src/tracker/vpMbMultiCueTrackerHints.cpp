@@ -95,10 +95,10 @@ bool vpMbMultiCueTracker::searchDetected(const vpCueFrame &frame)
 
 void vpMbMultiCueTracker::setPoseHint(const vpHomogeneousMatrix &cMo, const vpPoseDeviation &deviation)
 {
-  const vpTrackedModel &model = m_impl->requireModel();
+  m_impl->requireModel();
   deviation.check();
   vpPoseCheck::requireRigid(cMo);
-  if (!((vpPoseExponential::toEigen(cMo) * model.centre()).z() > 0.)) {
+  if (!(m_impl->depthOf(cMo) > 0.)) {
     throw vpException(vpException::badValue, "At the hint's pose the object is behind the camera (z = %g m)",
                       cMo[2][3]);
   }

@@ -7,6 +7,7 @@
 #include <visp3/multicue/vpWeightedPose.h>
 
 #include <string>
+#include <vector>
 
 BEGIN_VISP_NAMESPACE
 
@@ -49,8 +50,7 @@ struct vpRoughStart
   vpPoseDetector detector;
   std::vector<vpWeightedPose> detected; // In this frame.
   std::string detectorText;             // What was wrong with it in this frame.
-  std::vector<double>
-      depths; // Of the poses that a hint or the detector gave last, since the object was trusted; metres.
+  std::vector<double> depths;           // Of what it or a hint gave last since the object was trusted, metres.
 
   bool hasHint = false;
   vpHomogeneousMatrix hint;
