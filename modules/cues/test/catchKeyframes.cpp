@@ -23,11 +23,15 @@ struct Scene
   Scene() { keyframes.setObject(model->centre(), model->diameter()); }
 
   vpCueFrame frameOf(const vpImage<unsigned char> &I) { return source.frame(I, makeCamera(), nullptr); }
+  const vpRenderedView &depthAt(const vpHomogeneousMatrix &cMo)
+  {
+    renderer.render(cMo, makeCamera(), pointScenes::width, pointScenes::height, vpRenderOptions(), depth);
+    return depth;
+  }
   void learn(const vpHomogeneousMatrix &cMo)
   {
     const vpImage<unsigned char> I = painter.draw(cMo);
-    renderer.render(cMo, makeCamera(), pointScenes::width, pointScenes::height, vpRenderOptions(), depth);
-    keyframes.learn(frameOf(I), cMo, depth);
+    keyframes.learn(frameOf(I), cMo, depthAt(cMo));
   }
   std::vector<vpKeyframePose> find(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &expected)
   {
@@ -63,6 +67,33 @@ vpImage<unsigned char> noise()
     }
   }
   return I;
+}
+
+//! Squares of 8 pixels.
+vpImage<unsigned char> blocks()
+{
+  vpImage<unsigned char> I(pointScenes::height, pointScenes::width);
+  for (unsigned int i = 0; i < I.getHeight(); ++i) {
+    for (unsigned int j = 0; j < I.getWidth(); ++j) {
+      I[i][j] =
+          static_cast<unsigned char>(255. * pointScenes::hashed(static_cast<int>(i / 8), static_cast<int>(j / 8), 5));
+    }
+  }
+  return I;
+}
+
+//! A board with a pattern of its own in front of the left part of an image. \param shift Of the board, pixels.
+void hideLeft(vpImage<unsigned char> &I, int shift)
+{
+  const vpImage<unsigned char> pattern = blocks();
+  for (unsigned int i = 0; i < I.getHeight(); ++i) {
+    for (unsigned int j = 0; j < I.getWidth() / 2; ++j) {
+      const int from = static_cast<int>(i) - shift;
+      if (from >= 0 && from < static_cast<int>(I.getHeight())) {
+        I[i][j] = pattern[static_cast<unsigned int>(from)][j];
+      }
+    }
+  }
 }
 } // namespace
 
@@ -141,6 +172,49 @@ TEST_CASE("Views that are known, or show nothing, take no room", "[keyframes]")
   }
   CHECK(scene.keyframes.size() == 16);
   scene.keyframes.reset();
+  CHECK(scene.keyframes.size() == 0);
+  CHECK(scene.keyframes.wants(startPose()));
+}
+
+TEST_CASE("Nothing is kept of what passes in front of the object", "[keyframes]")
+{
+  const bool isProposed = GENERATE(true, false);
+  CAPTURE(isProposed);
+  Scene scene;
+  vpImage<unsigned char> I = scene.painter.draw(startPose());
+  hideLeft(I, 0);
+  const vpRenderedView &depth = scene.depthAt(startPose());
+  if (isProposed) {
+    scene.keyframes.propose(scene.frameOf(I), startPose(), depth);
+  } else {
+    scene.keyframes.learn(scene.frameOf(I), startPose(), depth);
+  }
+  for (int i = 1; i <= 4; ++i) {
+    CHECK(scene.find(I, startPose()).empty() == isProposed);
+    vpImage<unsigned char> next = scene.painter.draw(turned(0., 0.02 * i, 0.));
+    hideLeft(next, 3 * i);
+    scene.keyframes.confirm(scene.frameOf(next), turned(0., 0.02 * i, 0.));
+  }
+  // The board alone, and the object alone.
+  vpImage<unsigned char> board(pointScenes::height, pointScenes::width, 128);
+  hideLeft(board, 0);
+  CHECK(scene.find(board, startPose()).empty() == isProposed);
+  const std::vector<vpKeyframePose> found = scene.find(scene.painter.draw(turned(0., 0.3, 0.)), startPose());
+  REQUIRE_FALSE(found.empty());
+  CHECK(scene.error(found[0].cMo, turned(0., 0.3, 0.)) < 3.);
+}
+
+TEST_CASE("A proposed view of which nothing is seen again is wanted again", "[keyframes]")
+{
+  Scene scene;
+  const vpImage<unsigned char> I = scene.painter.draw(startPose());
+  scene.keyframes.propose(scene.frameOf(I), startPose(), scene.depthAt(startPose()));
+  CHECK_FALSE(scene.keyframes.wants(startPose()));
+  const vpImage<unsigned char> other = noise();
+  for (int i = 0; i < 4; ++i) {
+    CHECK(scene.keyframes.size() == 1);
+    scene.keyframes.confirm(scene.frameOf(other), startPose());
+  }
   CHECK(scene.keyframes.size() == 0);
   CHECK(scene.keyframes.wants(startPose()));
 }

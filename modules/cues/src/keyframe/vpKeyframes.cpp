@@ -2,6 +2,7 @@
 #include <visp3/cues/vpKeyframes.h>
 
 #include "keyframe/vpKeyframeFeatures.h"
+#include "keyframe/vpKeyframeLooks.h"
 #include "keyframe/vpPointPoses.h"
 #include "point/vpSurfaceReader.h"
 
@@ -22,6 +23,8 @@ const std::size_t mostOfOne = 150;
 const int mostAround = 400;
 const int mostSearched = 800;
 const std::size_t fewest = 12; // Features of a keyframe that is worth looking for.
+// Images until what passes in front of the object has left the places where it was.
+const unsigned int ageToConfirm = 4;
 // A view that differs by less from a keyframe adds little.
 const double newDirection = 0.25; // Radians.
 const double newDistance = 1.35;  // Ratio.
@@ -53,6 +56,11 @@ public:
     double distance = 0.;
     std::vector<Eigen::Vector3d> positions; // Object frame, metres.
     cv::Mat descriptors;                    // A row each.
+    vpKeyframeLooks looks;                  // One each while it is proposed, else none.
+    unsigned int age = 0;                   // Calls of confirm().
+
+    bool isProposed() const { return looks.size() > 0; }
+    bool isUsable() const { return !positions.empty() && !isProposed(); }
   };
 
   Keyframe viewAt(const vpHomogeneousMatrix &cMo) const
@@ -63,6 +71,8 @@ public:
     view.direction = camera / view.distance;
     return view;
   }
+  void add(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpRenderedView &depth, bool isProposed);
+  static Keyframe confirmed(const Keyframe &keyframe, const vpCueFrame &frame, const vpPointCamera &camera);
   double mostMotion(const vpPointCamera &camera, const Where &where) const;
   void addMatches(const Keyframe &keyframe, const vpPointCamera &camera, double mostMotion);
   std::vector<vpPointMatch> bestOfEach() const;
@@ -121,28 +131,72 @@ bool vpKeyframes::wants(const vpHomogeneousMatrix &cMo) const
 
 void vpKeyframes::learn(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpRenderedView &depth)
 {
-  Impl &impl = *m_impl;
-  impl.features.detect(frame, regionOf(depth), mostAround);
+  m_impl->add(frame, cMo, depth, false);
+}
+
+void vpKeyframes::propose(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpRenderedView &depth)
+{
+  m_impl->add(frame, cMo, depth, true);
+}
+
+void vpKeyframes::Impl::add(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpRenderedView &depth,
+                            bool isProposed)
+{
+  features.detect(frame, regionOf(depth), mostAround);
   const vpPointCamera camera(cMo, frame.camera());
   const vpSurfaceReader surface(depth);
-  Impl::Keyframe keyframe = impl.viewAt(cMo);
-  for (std::size_t i = 0; i < impl.features.corners().size() && keyframe.positions.size() < mostOfOne; ++i) {
-    const cv::Point2f &at = impl.features.corners()[i].pt;
+  Keyframe keyframe = viewAt(cMo);
+  for (std::size_t i = 0; i < features.corners().size() && keyframe.positions.size() < mostOfOne; ++i) {
+    const cv::Point2f &at = features.corners()[i].pt;
     vpSurfaceElement element;
     if (surface.read(camera, Eigen::Vector2d(static_cast<double>(at.x), static_cast<double>(at.y)), element)) {
       keyframe.positions.push_back(element.position);
-      keyframe.descriptors.push_back(impl.features.descriptors().row(static_cast<int>(i)));
+      keyframe.descriptors.push_back(features.descriptors().row(static_cast<int>(i)));
+      if (isProposed) {
+        keyframe.looks.add(frame, element, at);
+      }
     }
   }
   if (keyframe.positions.size() < fewest) {
     // The view is known to show nothing.
-    keyframe.positions.clear();
-    keyframe.descriptors = cv::Mat();
+    keyframe = viewAt(cMo);
   }
-  if (impl.keyframes.size() >= mostKeyframes) {
-    impl.keyframes.pop_front();
+  if (keyframes.size() >= mostKeyframes) {
+    keyframes.pop_front();
   }
-  impl.keyframes.push_back(std::move(keyframe));
+  keyframes.push_back(std::move(keyframe));
+}
+
+void vpKeyframes::confirm(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
+{
+  const vpPointCamera camera(cMo, frame.camera());
+  std::deque<Impl::Keyframe> kept;
+  for (Impl::Keyframe &keyframe : m_impl->keyframes) {
+    if (keyframe.isProposed() && ++keyframe.age >= ageToConfirm) {
+      keyframe = Impl::confirmed(keyframe, frame, camera);
+      if (keyframe.positions.size() < fewest) {
+        continue;
+      }
+    }
+    kept.push_back(std::move(keyframe));
+  }
+  m_impl->keyframes = std::move(kept);
+}
+
+// With the features alone that are seen again.
+vpKeyframes::Impl::Keyframe vpKeyframes::Impl::confirmed(const Keyframe &keyframe, const vpCueFrame &frame,
+                                                         const vpPointCamera &camera)
+{
+  Keyframe result;
+  result.direction = keyframe.direction;
+  result.distance = keyframe.distance;
+  for (std::size_t i = 0; i < keyframe.positions.size(); ++i) {
+    if (keyframe.looks.isSeenAgain(i, frame, camera)) {
+      result.positions.push_back(keyframe.positions[i]);
+      result.descriptors.push_back(keyframe.descriptors.row(static_cast<int>(i)));
+    }
+  }
+  return result;
 }
 
 // How far a feature may be from where the expected pose has it, normalised coordinates.
@@ -158,7 +212,7 @@ double vpKeyframes::Impl::mostMotion(const vpPointCamera &camera, const Where &w
 // Corners of the image that look like those of the keyframe.
 void vpKeyframes::Impl::addMatches(const Keyframe &keyframe, const vpPointCamera &camera, double mostMotion)
 {
-  if (keyframe.positions.empty() || features.corners().size() < fewest) {
+  if (!keyframe.isUsable() || features.corners().size() < fewest) {
     return;
   }
   std::vector<std::vector<cv::DMatch>> nearest;
@@ -203,9 +257,9 @@ std::vector<vpPointMatch> vpKeyframes::Impl::bestOfEach() const
 std::vector<vpKeyframePose> vpKeyframes::find(const vpCueFrame &frame, const vpImageRegion &region, const Where &where)
 {
   Impl &impl = *m_impl;
-  const bool isEmpty = std::all_of(impl.keyframes.begin(), impl.keyframes.end(),
-                                   [](const Impl::Keyframe &keyframe) { return keyframe.positions.empty(); });
-  if (isEmpty) {
+  const bool isAnyUsable = std::any_of(impl.keyframes.begin(), impl.keyframes.end(),
+                                       [](const Impl::Keyframe &keyframe) { return keyframe.isUsable(); });
+  if (!isAnyUsable) {
     return {};
   }
   impl.features.detect(frame, region, mostSearched);

@@ -33,6 +33,12 @@ bool vpKeyframes::wants(const vpHomogeneousMatrix &) const
 void vpKeyframes::learn(const vpCueFrame &, const vpHomogeneousMatrix &, const vpRenderedView &)
 {
 }
+void vpKeyframes::propose(const vpCueFrame &, const vpHomogeneousMatrix &, const vpRenderedView &)
+{
+}
+void vpKeyframes::confirm(const vpCueFrame &, const vpHomogeneousMatrix &)
+{
+}
 std::vector<vpKeyframePose> vpKeyframes::find(const vpCueFrame &, const vpImageRegion &, const Where &)
 {
   return {};

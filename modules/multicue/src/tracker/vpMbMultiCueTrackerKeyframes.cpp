@@ -35,12 +35,20 @@ void vpMbMultiCueTracker::learnKeyframe(const vpCueFrame &frame)
   if (!isWhole) {
     return;
   }
+  const bool isStart = !impl.isJudged || impl.keyframeIsProvisional;
   if (impl.keyframeIsProvisional) {
     impl.keyframes.reset();
     impl.keyframeIsProvisional = false;
   }
-  if (impl.keyframes.wants(m_cMo)) {
-    impl.keyframes.learn(frame, m_cMo, *impl.renderDepth(m_cMo));
+  impl.keyframes.confirm(frame, m_cMo);
+  if (!impl.keyframes.wants(m_cMo)) {
+    return;
+  }
+  const vpRenderedView &depth = *impl.renderDepth(m_cMo);
+  if (isStart) {
+    impl.keyframes.learn(frame, m_cMo, depth);
+  } else {
+    impl.keyframes.propose(frame, m_cMo, depth);
   }
 }
 

@@ -66,11 +66,20 @@ public:
   //! True where no keyframe shows the object from nearly the same direction and distance.
   bool wants(const vpHomogeneousMatrix &cMo) const;
   /*!
-    Makes a keyframe; the oldest one goes where there are too many.
+    Makes a keyframe of an image that is known to show the object; the oldest one goes where there are too many.
     \param frame Image. \param cMo The object's pose in it, trusted. \param depth Of the object at that pose in the
     whole image.
   */
   void learn(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpRenderedView &depth);
+  //! The same of an image in which something may hide a part of the object: nothing is found by it before confirm().
+  void propose(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpRenderedView &depth);
+  /*!
+    To be called with each image of a trusted pose. Of what was proposed 4 calls ago those features are kept that the
+    image shows where the pose has them: what hides a part of the object hardly moves as it does. A keyframe with fewer
+    than 12 of them is forgotten.
+    \param frame Image. \param cMo The object's pose in it, trusted.
+  */
+  void confirm(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo);
 
   /*!
     Looks for the object.
