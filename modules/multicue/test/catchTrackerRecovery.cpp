@@ -78,7 +78,29 @@ struct Tracked
     return displaced(start, {0.3, 1., 0.}, 6. * std::sin(0.5 * i), {0.002 * i, 0., 0.});
   }
 
-  void show(const vpHomogeneousMatrix &cMo) { tracker.track(scene.draw(cMo, paint)); }
+  void show(const vpHomogeneousMatrix &cMo)
+  {
+    vpImage<vpRGBa> I = scene.draw(cMo, paint);
+    for (unsigned int i = 0; i < likeness.getSize(); ++i) {
+      if (I.bitmap[i] == background.bitmap[i]) {
+        I.bitmap[i] = likeness.bitmap[i];
+      }
+    }
+    tracker.track(I);
+  }
+  //! Where it is now, the lower right part of an unprinted box is shown from now on, behind all others.
+  void leaveLikeness()
+  {
+    background = scene.draw(vpHomogeneousMatrix(9., 0., 1., 0., 0., 0.), paint); // The box is outside.
+    colorScenes::Paint unprinted = paint;
+    unprinted.object = [](const Eigen::Vector3d &) { return colorScenes::Color(120., 110., 90.); };
+    likeness = scene.draw(tracker.getPose(), unprinted);
+    for (unsigned int i = 0; i < likeness.getHeight(); ++i) {
+      for (unsigned int j = 0; i + j < likeness.getWidth(); ++j) {
+        likeness[i][j] = background[i][j];
+      }
+    }
+  }
   bool isTracking() const { return tracker.getTrackingState() == vpTrackingState::TRACKING; }
   bool isFinite() const
   {
@@ -152,6 +174,8 @@ struct Tracked
 
   Scene scene{colorScenes::makeBox()};
   colorScenes::Paint paint;
+  vpImage<vpRGBa> background;
+  vpImage<vpRGBa> likeness; // Empty where there is none.
   vpMbMultiCueTracker tracker;
 };
 
@@ -257,6 +281,23 @@ TEST_CASE("A hint brings back an object at half and at twice its distance", "[re
     object.tracker.setPoseHint(displaced(back, {1., 0., 0.}, 5., {0.005, 0., 0.}));
     checkReturn(object.comeBack(back, 14));
     CHECK(object.isTracking());
+  }
+}
+
+TEST_CASE("An object that jumps away is found, with a part of its likeness left where it was", "[recovery]")
+{
+  for (const double degrees : {-30., 30.}) {
+    for (const double shift : {0.1, 0.12, 0.14}) {
+      CAPTURE(degrees, shift);
+      Tracked object(true);
+      object.leaveLikeness();
+      const vpHomogeneousMatrix jumped =
+          displaced(Tracked::swaying(12), Eigen::Vector3d::UnitZ(), degrees, {shift, 0., 0.});
+      const Tracked::Return found = object.comeBack(jumped, 14);
+      CHECK(found.right <= 7);
+      CHECK(found.confirmed <= 12);
+      CHECK(found.wronglyTracked == 0);
+    }
   }
 }
 

@@ -26,6 +26,10 @@ const unsigned int mostDoubtfulByEdges = 3; // Edges alone lead from one wrong p
 const unsigned int fewTrusted = 10;
 const double leastInside = 0.3; // Share of the outline that is in the image.
 const double trustedBelief = 0.7;
+// A pose that is believed less than this for so many frames on end is lost: others farther off are looked for while the
+// object is still near.
+const double leastBelief = 0.6;
+const unsigned int mostDisbelieved = 2;
 const double mostLead = 0.25; // That counts, of what a pose explains more than others.
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
@@ -108,6 +112,10 @@ void vpMbMultiCueTracker::believe()
   }
   const double lead = impl.mustConfirm ? std::min(std::max(impl.tracks.lead(), 0.), mostLead) : 0.;
   impl.belief.update(impl.surpriseAt(m_cMo), impl.best.explained + lead);
+  impl.disbelievedFrames = impl.belief.probability() < leastBelief ? impl.disbelievedFrames + 1 : 0;
+  if (impl.searches && impl.disbelievedFrames >= mostDisbelieved) {
+    impl.noteLoss();
+  }
   const bool isBelieved = !impl.searches || impl.belief.probability() >= trustedBelief;
   if (impl.state == vpTrackingState::TRACKING && !isBelieved) {
     impl.state = vpTrackingState::UNCERTAIN;
@@ -178,6 +186,7 @@ void vpMbMultiCueTracker::confirmState()
     impl.trustedFrames = 0;
     impl.lostFrames = 0;
     impl.doubtfulFrames = 0;
+    impl.disbelievedFrames = 0;
     impl.searched.clear();
     impl.forgetMotion();
   } else {

@@ -223,6 +223,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   learntBefore.reset();
   outsideFrames = 0;
   doubtfulFrames = 0;
+  disbelievedFrames = 0;
   scoredFrame = 0;
   particles.clear();
   edges = vpEdgeCue(edges.settings());

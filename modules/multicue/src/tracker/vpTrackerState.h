@@ -250,6 +250,7 @@ public:
   bool mustConfirm = false;
   unsigned int outsideFrames = 0;  // On end.
   unsigned int doubtfulFrames = 0; // The same, with a pose that is not explained.
+  unsigned int disbelievedFrames = 0;
   //! The last pose that was started from or tracked.
   struct Trusted
   {
