@@ -170,17 +170,17 @@ void vpKeyframes::Impl::add(const vpCueFrame &frame, const vpHomogeneousMatrix &
 void vpKeyframes::confirm(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo)
 {
   const vpPointCamera camera(cMo, frame.camera());
-  std::deque<Impl::Keyframe> kept;
-  for (Impl::Keyframe &keyframe : m_impl->keyframes) {
-    if (keyframe.isProposed() && ++keyframe.age >= ageToConfirm) {
-      keyframe = Impl::confirmed(keyframe, frame, camera);
-      if (keyframe.positions.size() < fewest) {
+  std::deque<Impl::Keyframe> &keyframes = m_impl->keyframes;
+  for (auto keyframe = keyframes.begin(); keyframe != keyframes.end();) {
+    if (keyframe->isProposed() && ++keyframe->age >= ageToConfirm) {
+      *keyframe = Impl::confirmed(*keyframe, frame, camera);
+      if (keyframe->positions.size() < fewest) {
+        keyframe = keyframes.erase(keyframe);
         continue;
       }
     }
-    kept.push_back(std::move(keyframe));
+    ++keyframe;
   }
-  m_impl->keyframes = std::move(kept);
 }
 
 // With the features alone that are seen again.
