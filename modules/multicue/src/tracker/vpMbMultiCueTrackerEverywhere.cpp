@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
 const std::size_t wideNumber = 2000;
+const double scannedShare = 1.5; // Orientations that are looked for in all of the image, for each pose that is drawn.
+const double keptShare = 0.1;    // Likewise, of those the ones that fit best.
 const std::size_t aroundFound = 50; // Each of the best poses of the frames before.
 const std::size_t mostBlobs = 4;
 // Side of a window that the object fills, in projected diameters.
@@ -55,6 +59,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   vpPoseSearch search(score, *impl.model, impl.draws++);
   search.setSymmetries(impl.symmetries.get());
   impl.scatterEverywhere(frame, search, number);
+  impl.scatterScanned(frame, search, number);
   if (byEdges) {
     impl.weighScore(true);
     impl.settleByScore(search);
@@ -142,6 +147,33 @@ void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPos
   }
   for (const vpPoseCandidate &candidate : searched) {
     search.scatter({candidate.cMo}, near, aroundFound);
+  }
+}
+
+// Likely orientations where their contours are found in the image: too many to draw the place of each as well.
+void vpMbMultiCueTracker::Impl::scatterScanned(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number)
+{
+  const double depth = depthOf(trusted.cMo);
+  if (!uses(EDGE_TRACKER) || !(depth > 0.)) {
+    return;
+  }
+  const vpCameraParameters &cam = frame.camera();
+  contourScan.setImage(distanceMap, cam, frame.width(), frame.height(), 0.5 * cam.get_px() * model->diameter() / depth);
+  const auto share = [number](double of) { return static_cast<std::size_t>(of * static_cast<double>(number)); };
+  vpPoseSearch drawn(poseScore, *model, draws++);
+  const auto [before, moved, movedHalf] = whereabouts();
+  const vpPoseSearch::Spread wide = vpPoseSearch::near().grown(1. + spreadPerFrame * lostFrames);
+  drawn.scatter({before, moved, movedHalf}, {0., wide.rotation, atPlace.depth}, share(scannedShare));
+  std::vector<std::pair<double, Eigen::Isometry3d>> found;
+  for (const vpPoseCandidate &candidate : drawn.candidates()) {
+    const Eigen::Isometry3d cMo = vpPoseExponential::toEigen(candidate.cMo);
+    const vpContourScan::Find find = contourScan.find(cMo);
+    found.emplace_back(find.share, contourScan.movedTo(find, cMo));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
+  found.resize(std::min(found.size(), share(keptShare)));
+  for (const auto &pose : found) {
+    search.scatter({vpPoseExponential::fromEigen(pose.second)}, wide, 0);
   }
 }
 

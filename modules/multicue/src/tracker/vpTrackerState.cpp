@@ -172,6 +172,7 @@ vpViewSphere &vpMbMultiCueTracker::Impl::viewSphere()
                                             model->isConvex() ? nullptr : vpModelRenderer::create(model, preference));
     poseScore.setSphere(sphere.get());
     aligner.setSphere(sphere.get());
+    contourScan.setSphere(sphere.get());
   }
   return *sphere;
 }

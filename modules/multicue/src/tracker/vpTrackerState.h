@@ -4,6 +4,7 @@
 
 #include "particles/vpTrackerParticles.h"
 #include "search/vpBlobFinder.h"
+#include "search/vpContourScan.h"
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCentreFrame.h"
 #include "tracker/vpCueFusion.h"
@@ -103,6 +104,8 @@ public:
   void settle(vpPoseSearch &search);
   void settleByScore(vpPoseSearch &search) const;
   void scatterEverywhere(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number);
+  //! Adds poses whose contours were found, wherever that is. \param number Of orientations that are looked for.
+  void scatterScanned(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number);
   //! Where the object's centre may be.
   struct Place
   {
@@ -244,6 +247,7 @@ public:
   vpPoseScore poseScore;
   vpBlobFinder blobs;
   vpContourAligner aligner;
+  vpContourScan contourScan;
   unsigned long long scoredFrame = 0;
   std::vector<vpPoseCandidate> searched; // The best ones of the frames before, while the object is lost.
   unsigned int lostFrames = 0;           // On end.

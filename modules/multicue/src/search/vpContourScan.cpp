@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "search/vpContourScan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const double cellsPerRadius = 12.;
+const double mostCells = 24.; // Of a radius, where the step is as large as it may be.
+const double leastStep = 4.;  // Pixels.
+const double mostStep = 16.;
+const double beyond = 0.5; // How far outside the image the middle may be, radii.
+const int fullMatch = 6;   // What a point on an edge counts: as much as bytes can hold of all points.
+const std::size_t mostPoints = 40;
+const float farAway = 16384.F; // Pixels: an image of which no point of a view is outside.
+} // namespace
+
+void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
+                             unsigned int height, double radius)
+{
+  m_camera = vpPointCamera(cam, width, height);
+  m_step = std::min(std::max(radius / cellsPerRadius, leastStep), mostStep);
+  const double cells = std::min(radius / m_step, mostCells);
+  m_margin = static_cast<int>(std::ceil(beyond * cells));
+  m_border = static_cast<int>(std::ceil(cells)) + 1;
+  m_columns = static_cast<int>(std::ceil(width / m_step)) + 2 * m_margin;
+  m_rows = static_cast<int>(std::ceil(height / m_step)) + 2 * m_margin;
+  m_stride = m_columns + 2 * m_border;
+  m_gridSize = static_cast<std::size_t>(m_stride) * static_cast<std::size_t>(m_rows + 2 * m_border);
+  m_grids.assign(m_gridSize * vpOrientedDistanceMap::bins * phases * phases, 0);
+  m_sums.resize(static_cast<std::size_t>(m_stride) * static_cast<std::size_t>(m_rows));
+  for (int bin = 0; bin < vpOrientedDistanceMap::bins; ++bin) {
+    for (int phase = 0; phase < phases * phases; ++phase) {
+      fill(edges, bin, phase / phases, phase % phases);
+    }
+  }
+}
+
+void vpContourScan::fill(const vpOrientedDistanceMap &edges, int bin, int rowPhase, int columnPhase)
+{
+  std::uint8_t *grid = m_grids.data() + gridOf(bin, rowPhase, columnPhase);
+  const double reach = std::min(m_step, edges.settings().maxDistance);
+  const int before = m_border + m_margin; // Cells before the image.
+  for (int i = -1; i < m_rows - 2 * m_margin; ++i) {
+    const double v = (i + static_cast<double>(rowPhase) / phases) * m_step;
+    for (int j = -1; j < m_columns - 2 * m_margin; ++j) {
+      const double u = (j + static_cast<double>(columnPhase) / phases) * m_step;
+      const double match = std::max(1. - edges.distance(u, v, bin) / reach, 0.);
+      grid[(i + before) * m_stride + j + before] = static_cast<std::uint8_t>(fullMatch * match + 0.5);
+    }
+  }
+}
+
+// To all places, what is where this point would be.
+void vpContourScan::addPoint(const vpSeenPoint &point)
+{
+  const auto halfSteps = [this](float offset) { return static_cast<int>(std::floor(offset * phases / m_step + 0.5)); };
+  const int row = halfSteps(point.v - farAway);
+  const int column = halfSteps(point.u - farAway);
+  const int rowPhase = row & (phases - 1);
+  const int columnPhase = column & (phases - 1);
+  const int i = (row - rowPhase) / phases;
+  const int j = (column - columnPhase) / phases;
+  if (std::abs(i) >= m_border || std::abs(j) >= m_border) {
+    return; // Of a part that is much nearer to the camera than the middle is.
+  }
+  const int bin = vpOrientedDistanceMap::bin(point.normalU, point.normalV);
+  const std::uint8_t *from =
+      m_grids.data() + gridOf(bin, rowPhase, columnPhase) + (m_border + i) * m_stride + m_border + j;
+  std::uint8_t *sums = m_sums.data();
+  const std::size_t size = m_sums.size() - static_cast<std::size_t>(2 * m_border);
+  for (std::size_t k = 0; k < size; ++k) {
+    sums[k] = static_cast<std::uint8_t>(sums[k] + from[k]);
+  }
+}
+
+vpContourScan::Find vpContourScan::largestSum(std::size_t points)
+{
+  for (int i = 0; i < m_rows; ++i) { // Behind a row's last place, the sums mix both sides of the image.
+    std::fill_n(m_sums.begin() + i * m_stride + m_columns, m_stride - m_columns, std::uint8_t{0});
+  }
+  std::uint8_t most = 0;
+  for (const std::uint8_t sum : m_sums) {
+    most = std::max(most, sum);
+  }
+  const auto place = static_cast<int>(std::find(m_sums.begin(), m_sums.end(), most) - m_sums.begin());
+  const auto pixels = [this](int cell) { return static_cast<float>((cell - m_margin) * m_step); };
+  return {pixels(place % m_stride), pixels(place / m_stride),
+          static_cast<double>(most) / static_cast<double>(fullMatch * points)};
+}
+
+vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
+{
+  const Eigen::Vector3d at = cMo * m_sphere->model().centre();
+  if (!(at.z() > 0.)) {
+    return Find();
+  }
+  const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -at));
+  vpPointCamera camera = m_camera;
+  camera.u0 = camera.v0 = farAway;
+  camera.width = camera.height = 2.F * farAway;
+  vpPointProjection::Pose pose;
+  Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(pose.data()) =
+      seenAt({0., 0., at.z()}, cMo).matrix().topRows<3>().cast<float>();
+  std::fill(m_sums.begin(), m_sums.end(), std::uint8_t{0});
+  const std::size_t every = (view.size() + mostPoints - 1) / mostPoints;
+  std::size_t points = 0;
+  vpPointProjection(pose, camera).forEachSeen(view, view.size(), [&](const vpSeenPoint &point) {
+    if (point.number % every == 0) {
+      ++points;
+      addPoint(point);
+    }
+  });
+  return points == 0 ? Find() : largestSum(points);
+}
+
+Eigen::Isometry3d vpContourScan::movedTo(const Find &find, const Eigen::Isometry3d &cMo) const
+{
+  const double depth = (cMo * m_sphere->model().centre()).z();
+  return seenAt({depth * static_cast<double>((find.u - m_camera.u0) / m_camera.px),
+                 depth * static_cast<double>((find.v - m_camera.v0) / m_camera.py), depth},
+                cMo);
+}
+
+// Seen from another direction, the same rotation would show another side.
+Eigen::Isometry3d vpContourScan::seenAt(const Eigen::Vector3d &to, const Eigen::Isometry3d &cMo) const
+{
+  const Eigen::Vector3d centre = m_sphere->model().centre();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Quaterniond::FromTwoVectors(cMo * centre, to) * cMo.linear();
+  pose.translation() = to - pose.linear() * centre;
+  return pose;
+}
+
+END_VISP_NAMESPACE

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "searchScenes.h"
+
+// The library keeps them to itself.
+#include "search/vpContourScan.cpp"
+#include "search/vpPointProjection.cpp"
+
+#include <catchMain.h>
+
+#include <limits>
+
+namespace {
+using searchScenes::BoxScene;
+using searchScenes::differenceOf;
+
+const vpHomogeneousMatrix truth = searchScenes::truePose();
+
+//! Of the box, pixels.
+double radiusIn(const BoxScene &scene)
+{
+  return 0.5 * scene.camera.get_px() * scene.model->diameter() / truth[2][3];
+}
+
+//! Each side of another colour, so that all edges show.
+colorScenes::Paint sidesPaint()
+{
+  colorScenes::Paint paint = searchScenes::plainPaint();
+  paint.object = [](const Eigen::Vector3d &oX) {
+    Eigen::Index axis = 0;
+    oX.cwiseQuotient(Eigen::Vector3d(0.2, 0.14, 0.1)).cwiseAbs().maxCoeff(&axis);
+    return colorScenes::Color(200. - 60. * static_cast<double>(axis), 56., 40.);
+  };
+  return paint;
+}
+
+struct Scanned : BoxScene
+{
+  explicit Scanned(const vpHomogeneousMatrix &cMo) : BoxScene(sidesPaint(), cMo)
+  {
+    scan.setSphere(&sphere);
+    scan.setImage(edges, camera, width, height, radiusIn(*this));
+  }
+
+  vpContourScan scan;
+};
+
+//! The true orientation, as it is seen in the middle of the image.
+Eigen::Isometry3d inTheMiddle()
+{
+  Eigen::Isometry3d cMo = vpPoseExponential::toEigen(truth);
+  cMo.translation() = Eigen::Vector3d(0., 0., truth[2][3]);
+  return cMo;
+}
+} // namespace
+
+TEST_CASE("Contours are found wherever they are, also where a part of them is outside the image", "[contour-scan]")
+{
+  for (const Eigen::Vector3d &at : {Eigen::Vector3d(0., 0., 0.6), Eigen::Vector3d(0.14, 0.08, 0.6),
+                                    Eigen::Vector3d(-0.15, -0.1, 0.6), Eigen::Vector3d(-0.2, 0.05, 0.6)}) {
+    CAPTURE(at.transpose());
+    // The same side, seen there.
+    Eigen::Isometry3d there = inTheMiddle();
+    there.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), at) * there.linear();
+    there.translation() = at;
+    const vpHomogeneousMatrix cMo = vpPoseExponential::fromEigen(there);
+    Scanned scene(cMo);
+    const vpContourScan::Find find = scene.scan.find(inTheMiddle());
+    const auto off =
+        differenceOf(vpPoseExponential::fromEigen(scene.scan.movedTo(find, inTheMiddle())), cMo, *scene.model);
+    CHECK(off.diameters < 0.05);
+    CHECK(off.degrees < 4.);
+    CHECK(find.share > 0.5);
+  }
+}
+
+TEST_CASE("Another side, or another size, fits worse anywhere", "[contour-scan]")
+{
+  Scanned scene(truth);
+  const double best = scene.scan.find(inTheMiddle()).share;
+  for (const Eigen::Vector3d &axis : searchScenes::axes()) {
+    CAPTURE(axis.transpose());
+    const vpHomogeneousMatrix turned =
+        searchScenes::displaced(vpPoseExponential::fromEigen(inTheMiddle()), axis, 30., Eigen::Vector3d::Zero());
+    CHECK(scene.scan.find(vpPoseExponential::toEigen(turned)).share < best - 0.05);
+  }
+  for (const double factor : {0.6, 1.6}) {
+    CAPTURE(factor);
+    Eigen::Isometry3d resized = inTheMiddle();
+    resized.translation().z() *= factor;
+    CHECK(scene.scan.find(resized).share < best - 0.05);
+  }
+}
+
+TEST_CASE("What is behind the camera or too large to see is not found, without harm", "[contour-scan]")
+{
+  Scanned scene(truth);
+  Eigen::Isometry3d pose = inTheMiddle();
+  pose.translation().z() = -0.6;
+  CHECK(scene.scan.find(pose).share == 0.);
+  pose.translation().z() = 1e-6;
+  CHECK(scene.scan.find(pose).share < 0.1);
+  pose.translation().z() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(scene.scan.find(pose).share == 0.);
+  for (const double radius : {0., 1e-3, 1e9}) { // Of an object that is far away, or about the camera.
+    scene.scan.setImage(scene.edges, scene.camera, scene.width, scene.height, radius);
+    CHECK(scene.scan.find(inTheMiddle()).share <= 1.);
+  }
+}
