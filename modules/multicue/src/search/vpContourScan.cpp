@@ -15,7 +15,8 @@ const double mostStep = 16.;
 const double beyond = 0.5; // How far outside the image the middle may be, radii.
 const int fullMatch = 6;   // What a point on an edge counts: as much as bytes can hold of all points.
 const std::size_t mostPoints = 40;
-const float farAway = 16384.F; // Pixels: an image of which no point of a view is outside.
+const unsigned int mostLevel = 3; // Of the sphere: views are made when first looked at, and all sides are looked at.
+const float farAway = 16384.F;    // Pixels: an image of which no point of a view is outside.
 } // namespace
 
 void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
@@ -98,7 +99,8 @@ vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
   if (!(at.z() > 0.)) {
     return Find();
   }
-  const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -at));
+  const unsigned int level = std::min(m_sphere->options().level, mostLevel);
+  const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -at, level));
   vpPointCamera camera = m_camera;
   camera.u0 = camera.v0 = farAway;
   camera.width = camera.height = 2.F * farAway;
