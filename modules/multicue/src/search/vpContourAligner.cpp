@@ -159,9 +159,7 @@ bool vpContourAligner::step(Eigen::Isometry3d &cMo, const vpSphereView &view, st
   const vpTrackedModel &model = m_sphere->model();
   const Eigen::Vector3d middle = model.centre();
   const Eigen::Vector3d centre = cMo * middle;
-  vpPointProjection::Pose pose;
-  Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(pose.data()) = cMo.matrix().topRows<3>().cast<float>();
-  vpPointProjection projection(pose, m_camera);
+  vpPointProjection projection(cMo, m_camera);
   Equations equations;
   projection.forEachSeen(view, points, [&](const vpSeenPoint &point) {
     if (point.length > 0.F) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "search/vpContourScan.h"
 
+#include "search/vpSameSide.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -95,7 +97,8 @@ vpContourScan::Find vpContourScan::largestSum(std::size_t points)
 
 vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
 {
-  const Eigen::Vector3d at = cMo * m_sphere->model().centre();
+  const Eigen::Vector3d middle = m_sphere->model().centre();
+  const Eigen::Vector3d at = cMo * middle;
   if (!(at.z() > 0.)) {
     return Find();
   }
@@ -104,37 +107,26 @@ vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
   vpPointCamera camera = m_camera;
   camera.u0 = camera.v0 = farAway;
   camera.width = camera.height = 2.F * farAway;
-  vpPointProjection::Pose pose;
-  Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(pose.data()) =
-      seenAt({0., 0., at.z()}, cMo).matrix().topRows<3>().cast<float>();
   std::fill(m_sums.begin(), m_sums.end(), std::uint8_t{0});
   const std::size_t every = (view.size() + mostPoints - 1) / mostPoints;
   std::size_t points = 0;
-  vpPointProjection(pose, camera).forEachSeen(view, view.size(), [&](const vpSeenPoint &point) {
-    if (point.number % every == 0) {
-      ++points;
-      addPoint(point);
-    }
-  });
+  vpPointProjection(vpSameSide(cMo, middle, {0., 0., at.z()}), camera)
+      .forEachSeen(view, view.size(), [&](const vpSeenPoint &point) {
+        if (point.number % every == 0) {
+          ++points;
+          addPoint(point);
+        }
+      });
   return points == 0 ? Find() : largestSum(points);
 }
 
 Eigen::Isometry3d vpContourScan::movedTo(const Find &find, const Eigen::Isometry3d &cMo) const
 {
-  const double depth = (cMo * m_sphere->model().centre()).z();
-  return seenAt({depth * static_cast<double>((find.u - m_camera.u0) / m_camera.px),
-                 depth * static_cast<double>((find.v - m_camera.v0) / m_camera.py), depth},
-                cMo);
-}
-
-// Seen from another direction, the same rotation would show another side.
-Eigen::Isometry3d vpContourScan::seenAt(const Eigen::Vector3d &to, const Eigen::Isometry3d &cMo) const
-{
-  const Eigen::Vector3d centre = m_sphere->model().centre();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond::FromTwoVectors(cMo * centre, to) * cMo.linear();
-  pose.translation() = to - pose.linear() * centre;
-  return pose;
+  const Eigen::Vector3d middle = m_sphere->model().centre();
+  const double depth = (cMo * middle).z();
+  return vpSameSide(cMo, middle,
+                    {depth * static_cast<double>((find.u - m_camera.u0) / m_camera.px),
+                     depth * static_cast<double>((find.v - m_camera.v0) / m_camera.py), depth});
 }
 
 END_VISP_NAMESPACE

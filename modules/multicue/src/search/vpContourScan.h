@@ -48,7 +48,6 @@ private:
   {
     return static_cast<std::size_t>((bin * phases + rowPhase) * phases + columnPhase) * m_gridSize;
   }
-  Eigen::Isometry3d seenAt(const Eigen::Vector3d &to, const Eigen::Isometry3d &cMo) const;
 
   vpViewSphere *m_sphere = nullptr;
   vpPointCamera m_camera;

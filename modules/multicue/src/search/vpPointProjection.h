@@ -5,6 +5,8 @@
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/model/vpSphereView.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -47,6 +49,10 @@ public:
   using Pose = std::array<float, 12>;
 
   vpPointProjection(const Pose &pose, const vpPointCamera &camera) : m_pose(pose), m_camera(camera) {}
+  vpPointProjection(const Eigen::Isometry3d &cMo, const vpPointCamera &camera) : m_camera(camera)
+  {
+    Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(m_pose.data()) = cMo.matrix().topRows<3>().cast<float>();
+  }
 
   // Calls visit(vpSeenPoint) for those of the first count points that are in the image.
   template <typename Visitor> void forEachSeen(const vpSphereView &view, std::size_t count, Visitor &&visit)

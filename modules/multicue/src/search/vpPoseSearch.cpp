@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "search/vpPoseSearch.h"
 
+#include "search/vpSameSide.h"
+
 #include <visp3/se3/vpPoseRandom.h>
 
 #include <Eigen/Geometry>
@@ -126,11 +128,7 @@ void vpPoseSearch::score()
 void vpPoseSearch::scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
                                  std::size_t number)
 {
-  Eigen::Isometry3d moved = vpPoseExponential::toEigen(cMo);
-  // Seen from another direction, the same rotation shows another side.
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(moved * m_centre, centre);
-  moved.linear() = turn * moved.linear();
-  moved.translation() = centre - moved.linear() * m_centre;
+  const Eigen::Isometry3d moved = vpSameSide(vpPoseExponential::toEigen(cMo), m_centre, centre);
   scatter({vpPoseExponential::fromEigen(moved)}, spread, number);
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 BEGIN_VISP_NAMESPACE
@@ -29,6 +28,11 @@ const std::size_t atDistanceParents = 24;
 const std::size_t atDistanceChildren = 200;
 const unsigned int atDistanceLayers = 2;
 const std::size_t atDistanceAttempts = 2;
+
+vpPoseSearch::Spread spreadWhileLost(unsigned int frames)
+{
+  return vpPoseSearch::near().grown(1. + spreadPerFrame * frames);
+}
 
 // The orientation of one pose at the place of another. \param point In the object's frame, is at that place.
 vpHomogeneousMatrix turnedAt(const vpHomogeneousMatrix &place, const vpHomogeneousMatrix &orientation,
@@ -129,7 +133,7 @@ std::array<vpHomogeneousMatrix, 3> vpMbMultiCueTracker::Impl::whereabouts() cons
 void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number)
 {
   const vpPoseSearch::Spread near = vpPoseSearch::near();
-  const vpPoseSearch::Spread wide = near.grown(1. + spreadPerFrame * lostFrames);
+  const vpPoseSearch::Spread wide = spreadWhileLost(lostFrames);
   const auto [before, moved, movedHalf] = whereabouts();
   search.setPrior({before, moved, movedHalf}, wide, vpPoseSearch::usualPrior);
   search.scatter({expectedPose, before}, wide, number / 8);
@@ -162,18 +166,19 @@ void vpMbMultiCueTracker::Impl::scatterScanned(const vpCueFrame &frame, vpPoseSe
   const auto share = [number](double of) { return static_cast<std::size_t>(of * static_cast<double>(number)); };
   vpPoseSearch drawn(poseScore, *model, draws++);
   const auto [before, moved, movedHalf] = whereabouts();
-  const vpPoseSearch::Spread wide = vpPoseSearch::near().grown(1. + spreadPerFrame * lostFrames);
+  const vpPoseSearch::Spread wide = spreadWhileLost(lostFrames);
   drawn.scatter({before, moved, movedHalf}, {0., wide.rotation, atPlace.depth}, share(scannedShare));
-  std::vector<std::pair<double, Eigen::Isometry3d>> found;
+  std::vector<vpPoseCandidate> found;
   for (const vpPoseCandidate &candidate : drawn.candidates()) {
     const Eigen::Isometry3d cMo = vpPoseExponential::toEigen(candidate.cMo);
     const vpContourScan::Find find = contourScan.find(cMo);
-    found.emplace_back(find.share, contourScan.movedTo(find, cMo));
+    found.push_back({vpPoseExponential::fromEigen(contourScan.movedTo(find, cMo)), find.share});
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const vpPoseCandidate &a, const vpPoseCandidate &b) { return a.score > b.score; });
   found.resize(std::min(found.size(), share(keptShare)));
-  for (const auto &pose : found) {
-    search.scatter({vpPoseExponential::fromEigen(pose.second)}, wide, 0);
+  for (const vpPoseCandidate &candidate : found) {
+    search.scatter({candidate.cMo}, wide, 0);
   }
 }
 
