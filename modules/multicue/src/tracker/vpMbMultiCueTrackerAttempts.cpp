@@ -234,6 +234,7 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
   }
   if (!tryKeyframes(frame, false)) {
     searchEverywhere(frame);
+    attemptHalfTurned(frame);
     impl.tracks.noteOthers();
   }
 }

@@ -98,6 +98,19 @@ void vpMbMultiCueTracker::attemptAtDistance(const vpCueFrame &frame, const std::
   attemptBest(frame, search, false);
 }
 
+// The best pose of this frame, where it is turned far, the other way round.
+void vpMbMultiCueTracker::attemptHalfTurned(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  if (impl.best.explained < vpJudgedPose::leastExplained || impl.searchBudget.isSpent()) {
+    return;
+  }
+  if (const auto turned = impl.halfTurns.nearer(impl.best.cMo, impl.whereabouts())) {
+    impl.usesPoints = false;
+    attemptFrom(frame, *turned, false);
+  }
+}
+
 // Poses moved along the line of sight to the distance that the object had.
 std::vector<vpHomogeneousMatrix>
 vpMbMultiCueTracker::Impl::atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const

@@ -69,7 +69,9 @@ void vpMbMultiCueTracker::Impl::setModel(vpTrackedModel &&loaded)
   sphere.reset();
   keyframes.setObject(model->centre(), model->diameter());
   rough.search.setModel(model);
-  surface.setSamples(vpSampleSurface(*model, surfacePlaces));
+  const std::vector<vpSurfaceSample> samples = vpSampleSurface(*model, surfacePlaces);
+  surface.setSamples(samples);
+  halfTurns.setModel(*model, samples);
   makeRenderer();
   forgetImages();
   width = 0;

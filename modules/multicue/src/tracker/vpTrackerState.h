@@ -8,6 +8,7 @@
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCentreFrame.h"
 #include "tracker/vpCueFusion.h"
+#include "tracker/vpHalfTurns.h"
 #include "tracker/vpJudgedPose.h"
 #include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseTracks.h"
@@ -248,6 +249,7 @@ public:
   vpBlobFinder blobs;
   vpContourAligner aligner;
   vpContourScan contourScan;
+  vpHalfTurns halfTurns;
   unsigned long long scoredFrame = 0;
   std::vector<vpPoseCandidate> searched; // The best ones of the frames before, while the object is lost.
   unsigned int lostFrames = 0;           // On end.

@@ -431,6 +431,7 @@ private:
   bool followOthers(const vpCueFrame &frame);
   bool attemptAhead(const vpCueFrame &frame, const vpHomogeneousMatrix &before, const vpHomogeneousMatrix &cMo);
   void findAgain(const vpCueFrame &frame);
+  void attemptHalfTurned(const vpCueFrame &frame);
   void followDoubtful();
   void believe();
   void updateCovariance();

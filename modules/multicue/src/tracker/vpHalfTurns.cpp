@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tracker/vpHalfTurns.h"
+
+#include <visp3/se3/vpPoseExponential.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+const double muchNearer = 0.5; // Radians.
+
+Eigen::Matrix3d halfTurn(const Eigen::Vector3d &axis)
+{
+  return 2. * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+}
+
+double leastAngle(const Eigen::Matrix3d &rotation, const std::vector<Eigen::Matrix3d> &expected)
+{
+  double least = HUGE_VAL;
+  for (const Eigen::Matrix3d &other : expected) {
+    least = std::min(least, Eigen::AngleAxisd(other.transpose() * rotation).angle());
+  }
+  return least;
+}
+} // namespace
+
+Eigen::Matrix3d vpHalfTurns::rotationOf(const vpHomogeneousMatrix &cMo)
+{
+  return vpPoseExponential::toEigen(cMo).linear();
+}
+
+void vpHalfTurns::setModel(const vpTrackedModel &model, const std::vector<vpSurfaceSample> &samples)
+{
+  m_centre = model.centre();
+  m_turns.clear();
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (const vpSurfaceSample &sample : samples) {
+    const Eigen::Vector3d place = sample.position.cast<double>() - m_centre;
+    mean += place;
+    squares += place * place.transpose();
+  }
+  for (int i = 0; i < 3; ++i) {
+    m_turns.push_back(halfTurn(Eigen::Vector3d::Unit(i)));
+  }
+  if (samples.empty()) {
+    return;
+  }
+  const auto count = static_cast<double>(samples.size());
+  const Eigen::Matrix3d covariance = squares / count - mean * mean.transpose() / (count * count);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  for (int i = 0; i < 3; ++i) {
+    m_turns.push_back(halfTurn(solver.eigenvectors().col(i)));
+  }
+}
+
+std::optional<vpHomogeneousMatrix> vpHalfTurns::nearest(const vpHomogeneousMatrix &cMo,
+                                                        const std::vector<Eigen::Matrix3d> &expected) const
+{
+  Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
+  const Eigen::Matrix3d rotation = pose.linear();
+  const Eigen::Vector3d at = pose * m_centre;
+  std::optional<vpHomogeneousMatrix> found;
+  double least = leastAngle(rotation, expected) - muchNearer;
+  for (const Eigen::Matrix3d &turn : m_turns) {
+    const Eigen::Matrix3d turned = rotation * turn;
+    const double angle = leastAngle(turned, expected);
+    if (angle < least) {
+      least = angle;
+      pose.linear() = turned;
+      pose.translation() = at - turned * m_centre;
+      found = vpPoseExponential::fromEigen(pose);
+    }
+  }
+  return found;
+}
+
+END_VISP_NAMESPACE
