@@ -13,8 +13,8 @@ namespace {
 // Share of the outline: what is seen of less looks like many poses.
 const double insideToCompare = 0.7;
 // Of a pose with exp(-1) times the usual number of edges, and the most of them that counts.
-const double fewPenalty = 0.1;
-const double mostFewPenalty = 0.3;
+const double fewPenalty = 0.2;
+const double mostFewPenalty = 0.4;
 // Of the object in one frame, its shift in diameters plus its turn in radians: what moves less is found where it was,
 // and a pose that jumped farther was corrected, which tells nothing of the next frame.
 const double leastMoved = 0.01;
