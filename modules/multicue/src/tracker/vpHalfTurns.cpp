@@ -19,20 +19,16 @@ Eigen::Matrix3d halfTurn(const Eigen::Vector3d &axis)
   return 2. * axis * axis.transpose() - Eigen::Matrix3d::Identity();
 }
 
-double leastAngle(const Eigen::Matrix3d &rotation, const std::vector<Eigen::Matrix3d> &expected)
+double leastAngle(const Eigen::Matrix3d &rotation, const std::array<vpHomogeneousMatrix, 3> &expected)
 {
   double least = HUGE_VAL;
-  for (const Eigen::Matrix3d &other : expected) {
+  for (const vpHomogeneousMatrix &pose : expected) {
+    const Eigen::Matrix3d other = vpPoseExponential::toEigen(pose).linear();
     least = std::min(least, Eigen::AngleAxisd(other.transpose() * rotation).angle());
   }
   return least;
 }
 } // namespace
-
-Eigen::Matrix3d vpHalfTurns::rotationOf(const vpHomogeneousMatrix &cMo)
-{
-  return vpPoseExponential::toEigen(cMo).linear();
-}
 
 void vpHalfTurns::setModel(const vpTrackedModel &model, const std::vector<vpSurfaceSample> &samples)
 {
@@ -59,8 +55,8 @@ void vpHalfTurns::setModel(const vpTrackedModel &model, const std::vector<vpSurf
   }
 }
 
-std::optional<vpHomogeneousMatrix> vpHalfTurns::nearest(const vpHomogeneousMatrix &cMo,
-                                                        const std::vector<Eigen::Matrix3d> &expected) const
+std::optional<vpHomogeneousMatrix> vpHalfTurns::nearer(const vpHomogeneousMatrix &cMo,
+                                                       const std::array<vpHomogeneousMatrix, 3> &expected) const
 {
   Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
   const Eigen::Matrix3d rotation = pose.linear();

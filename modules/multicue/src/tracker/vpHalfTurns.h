@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,21 +23,10 @@ public:
   // about the principal axes of the surface, through the middle of its box.
   void setModel(const vpTrackedModel &model, const std::vector<vpSurfaceSample> &samples);
   // A pose turned by half, where one is much nearer in its orientation to one of the expected ones than the pose is.
-  template <typename Poses>
-  std::optional<vpHomogeneousMatrix> nearer(const vpHomogeneousMatrix &cMo, const Poses &expected) const
-  {
-    std::vector<Eigen::Matrix3d> rotations;
-    for (const vpHomogeneousMatrix &pose : expected) {
-      rotations.push_back(rotationOf(pose));
-    }
-    return nearest(cMo, rotations);
-  }
+  std::optional<vpHomogeneousMatrix> nearer(const vpHomogeneousMatrix &cMo,
+                                            const std::array<vpHomogeneousMatrix, 3> &expected) const;
 
 private:
-  static Eigen::Matrix3d rotationOf(const vpHomogeneousMatrix &cMo);
-  std::optional<vpHomogeneousMatrix> nearest(const vpHomogeneousMatrix &cMo,
-                                             const std::vector<Eigen::Matrix3d> &expected) const;
-
   Eigen::Vector3d m_centre = Eigen::Vector3d::Zero();
   std::vector<Eigen::Matrix3d> m_turns;
 };
