@@ -98,6 +98,21 @@ TEST_CASE("One better image does not move a pose that was followed, some on end 
   CHECK(frames <= 4);
 }
 
+TEST_CASE("A pose that is found from another one goes on as that one", "[pose-tracks]")
+{
+  vpPoseTracks tracks = followedFor(6);
+  tracks.follow(at(0.01), isSame);
+  const double corrected = tracks.add(at(0.2), 0.9, isSame);
+  tracks.followNone();
+  CHECK(corrected > tracks.add(at(1.), 0.9, isSame)); // A new one.
+  tracks.choose(at(0.2), vpPoseTracks::Seen::WELL, isSame);
+  CHECK(chosenAt(tracks) == 0.2);
+  CHECK(tracks.tracks().size() == 2);
+
+  tracks.follow(at(3.), isSame); // There is none.
+  CHECK(tracks.add(at(0.2), 0.9, isSame) > tracks.add(at(3.), 0.9, isSame));
+}
+
 TEST_CASE("A pose that explains nothing ends, others stay up to three, the same ones become one", "[pose-tracks]")
 {
   vpPoseTracks tracks;

@@ -110,6 +110,23 @@ bool vpMbMultiCueTracker::attemptAhead(const vpCueFrame &frame, const vpHomogene
   return attemptFrom(frame, vpEvenMotion(cMo, motion, centre, 1.), false);
 }
 
+// After a loss the pose that is followed may have settled on edges beside its own. Other cues have to tell which of
+// those that the edges around allow is right. \return True where one is enough.
+bool vpMbMultiCueTracker::attemptProposed(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const bool isTold = impl.uses(EDGE_TRACKER) && impl.type != EDGE_TRACKER;
+  if (!isTold || impl.best.explained < 0. || impl.searchBudget.isSpent()) {
+    return false;
+  }
+  m_cMo = impl.startPose = impl.best.cMo;
+  proposePose(frame);
+  impl.tracks.follow(impl.best.cMo, impl.sameTrack());
+  const bool isEnough = takeAttempt(refineFused(frame));
+  impl.tracks.followNone();
+  return isEnough;
+}
+
 // After a loss: the other poses that may be right. \return True where one of them is better, and enough.
 bool vpMbMultiCueTracker::followOthers(const vpCueFrame &frame)
 {

@@ -57,6 +57,8 @@ public:
   void begin(const vpHomogeneousMatrix &cMo, double explained, const vpPoseBelief &belief);
   //! The attempts to come start from this track, or from none of them.
   void follow(std::size_t index) { m_followed = index; }
+  //! From the one with this pose, if there is one.
+  void follow(const vpHomogeneousMatrix &cMo, const Same &isSame) { m_followed = indexOf(cMo, isSame); }
   void followNone() { m_followed = none; }
   //! What the attempts of this frame that started from the followed track explain; less than any pose where there is
   //! none.

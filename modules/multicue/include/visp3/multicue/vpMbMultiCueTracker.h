@@ -432,6 +432,7 @@ private:
   bool attemptAhead(const vpCueFrame &frame, const vpHomogeneousMatrix &before, const vpHomogeneousMatrix &cMo);
   void findAgain(const vpCueFrame &frame);
   void attemptHalfTurned(const vpCueFrame &frame);
+  bool attemptProposed(const vpCueFrame &frame);
   void followDoubtful();
   void believe();
   void updateCovariance();
