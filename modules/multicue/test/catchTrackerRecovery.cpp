@@ -349,6 +349,27 @@ TEST_CASE("An object that is soon lost again is looked for where it was seen las
   checkReturn(object.comeBack(last, 14));
 }
 
+TEST_CASE("An object that is lost again at once is looked for where it was seen for some frames", "[recovery]")
+{
+  for (const double degrees : {-55., 55.}) {
+    CAPTURE(degrees);
+    Tracked object(true, Tracked::edgesAndPoints); // Colours would tell where it is.
+    object.darken();
+    const auto at = [&](int i) { // Away from where it was before, and on.
+      return displaced(turned(degrees * (1. + 0.04 * i)), Eigen::Vector3d::UnitZ(), i, {0.003 * i, 0.003 * i, 0.});
+    };
+    int tracking = 0;
+    int i = 0;
+    for (; i < 30 && tracking < 6; ++i) {
+      object.show(at(i));
+      tracking += object.isTracking();
+    }
+    REQUIRE(tracking == 6);
+    object.darken();
+    checkReturn(object.comeBack(at(i + 12), 14));
+  }
+}
+
 TEST_CASE("Without a search it is not", "[recovery]")
 {
   Tracked gone(false);

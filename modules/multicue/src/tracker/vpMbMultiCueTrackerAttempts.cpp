@@ -62,6 +62,9 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   for (const vpHomogeneousMatrix &pose : whereabouts()) {
     least = std::min(least, changeFrom(pose));
   }
+  if (trustedBefore) {
+    least = std::min(least, changeFrom(*trustedBefore));
+  }
   for (const vpWeightedPose &pose : rough.detected) {
     least = std::min(least, changeFrom(pose.cMo));
   }
@@ -77,6 +80,9 @@ double vpMbMultiCueTracker::Impl::depthChange(const vpHomogeneousMatrix &cMo) co
     return now > 0. && before > 0. ? std::min(std::fabs(std::log(now / before)), 1.) : 1.;
   };
   double least = changeFrom(depthOf(trusted.cMo));
+  if (trustedBefore) {
+    least = std::min(least, changeFrom(depthOf(*trustedBefore)));
+  }
   for (const double depth : rough.depths) {
     least = std::min(least, changeFrom(depth));
   }

@@ -155,6 +155,9 @@ void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPos
   for (const vpHomogeneousMatrix &cMo : {moved, movedHalf}) {
     search.scatter({cMo, turnedAt(before, cMo, model->centre())}, far, number / 8);
   }
+  if (trustedBefore) {
+    search.scatter({*trustedBefore}, wide, number / 8);
+  }
   for (const Place &place : placesOfColors(frame)) {
     const auto all = static_cast<std::size_t>(0.5 * place.share * static_cast<double>(number));
     search.scatterAround(place.centre, before, {atPlace.translation, wide.rotation, atPlace.depth}, all);

@@ -123,7 +123,7 @@ void vpMbMultiCueTracker::believe()
   }
 }
 
-// An object that is lost soon after it was found may have been something else.
+// An object that is lost soon after it was found may have been something else; or it was the object, and is near there.
 void vpMbMultiCueTracker::Impl::noteLoss()
 {
   if (mustConfirm) {
@@ -131,6 +131,7 @@ void vpMbMultiCueTracker::Impl::noteLoss()
   }
   mustConfirm = true;
   farDeviation = mostFarDeviation;
+  trustedBefore.reset();
   if (learntBefore && trustedFrames < fewTrusted) {
     mustRecall = true;
   } else {
@@ -149,7 +150,7 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
   surface = learntBefore->surface;
   usual = learntBefore->usual;
   unsteadiness = learntBefore->unsteadiness;
-  trusted = learntBefore->trusted;
+  trustedBefore = learntBefore->trusted.cMo;
   keyframes.reset();
   searched.clear();
 }

@@ -224,6 +224,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   mustConfirm = false;
   mustRecall = false;
   learntBefore.reset();
+  trustedBefore.reset();
   outsideFrames = 0;
   doubtfulFrames = 0;
   disbelievedFrames = 0;

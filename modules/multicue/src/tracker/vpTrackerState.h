@@ -26,6 +26,7 @@
 #include <visp3/se3/vpPoseKalmanFilter.h>
 
 #include <cmath>
+#include <optional>
 
 BEGIN_VISP_NAMESPACE
 
@@ -285,10 +286,12 @@ public:
   void noteLoss();
   void recallLearnt();
   std::unique_ptr<Learnt> learntBefore; // Before the last loss; null where there was none.
-  bool mustRecall = false;              // What was learnt since then is of something else.
-  unsigned int trustedFrames = 0;       // Since the object was found again.
-  unsigned int confirmations = 0;       // Frames that explained a pose on end since the object was lost.
-  vpPoseTracks tracks;                  // While it has to be confirmed.
+  //! Where it was trusted to be before the last loss, while what was trusted since may be something else.
+  std::optional<vpHomogeneousMatrix> trustedBefore;
+  bool mustRecall = false;        // What was learnt since then is of something else.
+  unsigned int trustedFrames = 0; // Since the object was found again.
+  unsigned int confirmations = 0; // Frames that explained a pose on end since the object was lost.
+  vpPoseTracks tracks;            // While it has to be confirmed.
   //! True where two poses are followed as one.
   vpPoseTracks::Same sameTrack() const;
   //! True where others have to be looked for before a pose that explains the image is confirmed.
