@@ -264,6 +264,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
   bool isEnough = takeAttempt(refineFused(frame));
+  impl.holdsPrediction = false; // The attempts to come look elsewhere.
   if (!isEnough && impl.mustConfirm) {
     isEnough = attemptAhead(frame, first.before, first.cMo);
   }

@@ -44,12 +44,14 @@ void vpMbMultiCueTracker::predict()
   impl.time += impl.frameInterval;
   impl.sinceUpdate += impl.frameInterval;
   impl.predictedRange = 0.;
+  impl.holdsPrediction = false;
   // A pose that was found after a loss is no news to the filter before it is confirmed.
   const bool isFound = impl.mustConfirm && impl.state != vpTrackingState::LOST;
   const bool isStale = impl.searches && !impl.mayCoast();
   if (impl.predicts && impl.kalman.isStarted() && !isFound && !isStale) {
     const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
     // Of a turn that nothing shows, the filter would go on with what tilting the axis made it believe.
+    impl.holdsPrediction = !impl.mustConfirm;
     m_cMo = impl.holdsTurns() ? impl.symmetries.nearest(expected.cMo, m_cMo, *impl.model) : expected.cMo;
     predictRange(expected.covariance);
   }
@@ -84,7 +86,8 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
   return computeVVS();
 }
 
-// Around the current pose, as wide as the object was off the expected poses lately.
+// As wide as the object was off the expected poses lately. Around the predicted one, what the image does not show, as
+// of an object that is nearly outside, goes on as it moved; else it may drift from one minimisation to the next.
 void vpMbMultiCueTracker::setPrior()
 {
   Impl &impl = *m_impl;
@@ -95,7 +98,7 @@ void vpMbMultiCueTracker::setPrior()
   vpPoseTangent deviations;
   deviations.head<3>().setConstant(width(impl.surprise[0]) * model.diameter());
   deviations.tail<3>().setConstant(width(impl.surprise[1]));
-  impl.prior.set(m_cMo, impl.centreFrame(), deviations);
+  impl.prior.set(impl.holdsPrediction ? impl.expectedPose : m_cMo, impl.centreFrame(), deviations);
 }
 
 // How far the object was from where it was expected.

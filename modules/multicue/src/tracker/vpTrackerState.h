@@ -308,11 +308,12 @@ public:
   vpCueFusion fusion;
   vpPoseUncertainty uncertainty; // Of the last frame.
   vpPosePrior prior;
-  vpResidualBlock block;  // Scratch memory.
-  Agreement agreement;    // At the pose that was judged last.
-  Agreement usual;        // Mean over the trusted frames.
-  Agreement unsteadiness; // Variance of its share of the usual one over the trusted frames.
-  Share share;            // At the pose that was judged last.
+  bool holdsPrediction = false; // The prior is around the predicted pose.
+  vpResidualBlock block;        // Scratch memory.
+  Agreement agreement;          // At the pose that was judged last.
+  Agreement usual;              // Mean over the trusted frames.
+  Agreement unsteadiness;       // Variance of its share of the usual one over the trusted frames.
+  Share share;                  // At the pose that was judged last.
   // A pose that the cues were brought to.
   struct Attempt : vpJudgedPose
   {
