@@ -229,10 +229,9 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
   if (impl.state != vpTrackingState::LOST) { // What hides the object misleads colours and points.
     m_cMo = impl.startPose = impl.expectedPose;
     impl.tracks.follow(0);
-    bool isEnough = takeAttempt(refineFused(frame));
+    const bool isEnough = takeAttempt(refineFused(frame));
     impl.tracks.followNone();
-    isEnough = isEnough || attemptProposed(frame);
-    if (isEnough) {
+    if (isEnough || attemptProposed(frame)) {
       return;
     }
   }

@@ -50,8 +50,8 @@ void vpMbMultiCueTracker::predict()
   const bool isStale = impl.searches && !impl.mayCoast();
   if (impl.predicts && impl.kalman.isStarted() && !isFound && !isStale) {
     const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
-    // Of a turn that nothing shows, the filter would go on with what tilting the axis made it believe.
     impl.holdsPrediction = !impl.mustConfirm;
+    // Of a turn that nothing shows, the filter would go on with what tilting the axis made it believe.
     m_cMo = impl.holdsTurns() ? impl.symmetries.nearest(expected.cMo, m_cMo, *impl.model) : expected.cMo;
     predictRange(expected.covariance);
   }

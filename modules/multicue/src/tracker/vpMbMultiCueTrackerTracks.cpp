@@ -110,7 +110,7 @@ bool vpMbMultiCueTracker::attemptAhead(const vpCueFrame &frame, const vpHomogene
   return attemptFrom(frame, vpEvenMotion(cMo, motion, centre, 1.), false);
 }
 
-// After a loss the pose that is followed may have settled on edges beside its own. Other cues have to tell which of
+// After a loss the best pose of the frame may have settled on edges beside its own. Other cues have to tell which of
 // those that the edges around allow is right. \return True where one is enough.
 bool vpMbMultiCueTracker::attemptProposed(const vpCueFrame &frame)
 {
