@@ -6,6 +6,8 @@
 #include "color/vpContourShift.h"
 #include "color/vpFineMatch.h"
 #include "color/vpMembership.h"
+#include "color/vpPixelNumber.h"
+#include "frame/vpLight.h"
 
 #include <visp3/core/vpException.h>
 
@@ -22,6 +24,8 @@ const int leastPixels = 3;
 const int leeway = 3;
 // Information, per square pixel, below which a line tells nothing.
 const double noInformation = 1e-12;
+// Of a contour that can be seen, gray levels: as edges have it.
+const double leastContrast = 5.;
 // Evidence of a place that was not seen in the last trusted frame: it is believed.
 const double unknownEvidence = 0.6931; // log(2)
 } // namespace
@@ -87,6 +91,9 @@ void vpColorCue::match(const vpCueFrame &frame, const vpModelView &view)
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       posterior.evaluate(strip(i), m_lines[i]);
       doubtLine(m_lines[i]);
+      m_lines[i].light =
+          lightAt(i, std::max(-vpLight::reach, m_lines[i].first), std::min(vpLight::reach, m_lines[i].last));
+      m_lines[i].scale *= std::sqrt(vpLight::pull(m_lines[i].light));
     }
   } else if (m_channels == 1) {
     vpFineMatch<1>(*this).run();
@@ -105,13 +112,24 @@ void vpColorCue::doubtLine(Line &line) const
   line.evidence *= belief;
 }
 
+// Of a line's pixels between two offsets.
+double vpColorCue::lightAt(std::size_t line, int first, int last) const
+{
+  const std::uint32_t *pixels = strip(line);
+  double brightest = 0.;
+  for (int k = first; k <= last; ++k) {
+    brightest = std::max(brightest, m_channels == 1 ? pixels[k] : brightnessOf(pixels[k]));
+  }
+  return vpLight::at(brightest, leastContrast);
+}
+
 double vpColorCue::evidence() const
 {
-  double sum = 0.;
+  vpLight::Mean mean;
   for (const Line &line : m_lines) {
-    sum += line.evidence;
+    mean.add(line.evidence, line.light);
   }
-  return m_lines.empty() ? 0. : sum / static_cast<double>(m_lines.size());
+  return mean.value();
 }
 
 std::size_t vpColorCue::rowsOf(const Line &line) const

@@ -4,6 +4,7 @@
 #include "color/vpContourPosterior.h"
 #include "color/vpContourShift.h"
 #include "color/vpLocalStatistics.h"
+#include "frame/vpLight.h"
 
 #include <visp3/core/vpException.h>
 
@@ -79,9 +80,10 @@ double vpColorCue::evidenceAt(const vpHomogeneousMatrix &cMo)
   }
   const vpContourPosterior posterior(*this, m_settings.scales.back());
   vpContourShift contour(cMo, m_camera);
-  double sum = 0.;
+  vpLight::Mean mean;
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     if (!contour.project(m_lines[i]) || !(std::fabs(contour.pixels()) < m_reach)) {
+      mean.add(0., 1.);
       continue;
     }
     const int shift = static_cast<int>(std::lround(contour.pixels()));
@@ -91,9 +93,10 @@ double vpColorCue::evidenceAt(const vpHomogeneousMatrix &cMo)
     posterior.evaluate(strip(i) + shift, moved);
     m_evidence[i] = moved.evidence;
     doubtLine(moved);
-    sum += moved.evidence;
+    mean.add(moved.evidence,
+             lightAt(i, shift + std::max(-vpLight::reach, moved.first), shift + std::min(vpLight::reach, moved.last)));
   }
-  return sum / static_cast<double>(m_lines.size());
+  return mean.value();
 }
 
 void vpColorCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)

@@ -24,5 +24,11 @@ inline std::uint32_t toPixelNumber(unsigned char pixel)
   return pixel;
 }
 
+//! Of a pixel with three channels, gray levels; green counts double.
+inline double brightnessOf(std::uint32_t pixel)
+{
+  return 0.25 * ((pixel & 0xFFU) + 2U * ((pixel >> 8U) & 0xFFU) + ((pixel >> 16U) & 0xFFU));
+}
+
 END_VISP_NAMESPACE
 #endif

@@ -3,6 +3,7 @@
 
 #include "edge/vpEdgeSearch.h"
 #include "edge/vpProjectedLine.h"
+#include "frame/vpLight.h"
 
 #include <visp3/core/vpException.h>
 
@@ -149,6 +150,7 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     // Remembered along the edge's own direction, searched along the normal.
     const float reference = memory == nullptr ? 0.F : memory->contrast * static_cast<float>(point.side);
     vpEdgeSearch::Extrema extrema = search.along(point.pixel, point.normal);
+    match.light = vpLight::at(extrema.brightest, m_settings.contrast);
     dropMasked(frame, point, extrema);
     match.state = select(extrema, memory == nullptr ? nullptr : &reference, m_settings);
     match.count = static_cast<int>(extrema.last - extrema.first);
@@ -170,6 +172,7 @@ void vpEdgeCue::addRow(const Match &match, int choice, const vpLineProjector &pr
   }
   const Candidate *first = m_candidates.data() + match.first;
   const Candidate &candidate = choice < 0 ? line.nearest(first, match.count) : first[choice];
+  row.weight = vpLight::pull(match.light);
   row.error = line.distance(candidate.place);
   line.jacobian(candidate.place, row.error, row.jacobian);
 }
@@ -203,6 +206,24 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, const std::vector<int>
       addRow(m_matches[i], std::min(choices[i], m_matches[i].count - 1), project, block.rows);
     }
   }
+}
+
+double vpEdgeCue::agreement(const vpHomogeneousMatrix &cMo, double reach) const
+{
+  const vpLineProjector project(cMo);
+  vpLight::Mean mean;
+  for (const Match &match : m_matches) {
+    double share = 1.; // Of the reach.
+    if (match.count > 0) {
+      const vpProjectedLine line = project(match.point);
+      if (line.isSeen()) {
+        share = line.distance(line.nearest(m_candidates.data() + match.first, match.count).place) * m_camera.get_px() /
+                reach;
+      }
+    }
+    mean.add(std::max(0., 1. - share * share), match.light);
+  }
+  return mean.value();
 }
 
 void vpEdgeCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)

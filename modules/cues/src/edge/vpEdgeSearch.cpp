@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "edge/vpEdgeSearch.h"
 
+#include "frame/vpLight.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,6 +10,7 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
+const double unknownLevel = 255.;
 // Positions in 1/65536 of a pixel step along a line without drift over the lengths used here.
 const int fractionBits = 16;
 
@@ -163,18 +166,29 @@ vpEdgeSearch::Extremum *vpEdgeSearch::findExtrema(int low, int high)
   return found;
 }
 
+// \param first Offset of the profile's first sample. \param count Number of its samples.
+double vpEdgeSearch::findBrightest(int first, int count) const
+{
+  const int begin = std::max(-vpLight::reach - first, 0);
+  const int end = std::min(vpLight::reach - first + 1, count);
+  if (begin >= end) {
+    return unknownLevel;
+  }
+  return *std::max_element(m_profile.begin() + begin, m_profile.begin() + end) / (256. * (2 * m_half + 1));
+}
+
 vpEdgeSearch::Extrema vpEdgeSearch::along(const Eigen::Vector2d &pixel, const Eigen::Vector2d &normal)
 {
   int low = 0;
   int high = 0;
   if (!findLimits(pixel, normal, low, high)) {
-    return {m_extrema.data(), m_extrema.data()};
+    return {m_extrema.data(), m_extrema.data(), unknownLevel};
   }
   const int length = high - low + 2 * m_half + 1;
   gather(pixel, normal, low - m_half, length);
   interpolate(length);
   findGradient(high - low + 1);
-  return {m_extrema.data(), findExtrema(low, high)};
+  return {m_extrema.data(), findExtrema(low, high), findBrightest(low - m_half, length)};
 }
 
 END_VISP_NAMESPACE

@@ -27,7 +27,8 @@ public:
   struct Extrema
   {
     Extremum *first;
-    Extremum *last; //!< Behind the last one.
+    Extremum *last;   //!< Behind the last one.
+    double brightest; //!< Gray level within vpLight::reach of the middle, mean over the mask's width; 255: unknown.
   };
 
   //! \param settings Checked: the memory suffices for the ranges of vpEdgeCueSettings.
@@ -62,6 +63,7 @@ private:
   void interpolate(int count);
   void findGradient(int count);
   Extremum *findExtrema(int low, int high);
+  double findBrightest(int first, int count) const;
 
   const vpImage<unsigned char> &m_I;
   int m_range;

@@ -239,6 +239,10 @@ void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
   learnSurprise();
   updateMotion();
   impl.trust(m_cMo, impl.kalman.velocity());
+  if (impl.kalman.isStarted()) {
+    impl.inertia.update(
+        {m_cMo, impl.kalman.velocity(), impl.time, {std::sqrt(impl.surprise[0]), std::sqrt(impl.surprise[1])}});
+  }
 }
 
 void vpMbMultiCueTracker::computeView(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool keepDepth)

@@ -12,6 +12,12 @@ namespace {
 // An edge or a point that is farther away than this does not support a pose, pixels.
 const double edgeReach = 2.5;
 const double pointReach = 2.;
+// Points on the surface count this much beside the other cues once this many of them are followed, from this number on;
+// and what they have at a right pose.
+const double besideOthers = 0.6;
+const std::size_t enoughPoints = 24;
+const std::size_t fewestPoints = 8;
+const double usualOfPoints = 0.9;
 // One cue alone does not make a pose better than those before, nor refuse it.
 const double mostOfOne = 1.2;
 const double leastOfOne = -0.5;
@@ -52,14 +58,7 @@ double closeness(double distance, double reach)
 
 double vpMbMultiCueTracker::edgeAgreement() const
 {
-  const Impl &impl = *m_impl;
-  vpResidualBlock &block = m_impl->block;
-  impl.edges.residuals(m_cMo, block);
-  double sum = 0.;
-  for (const vpResidual &row : block.rows) {
-    sum += closeness(row.error, edgeReach / impl.frameCamera.get_px());
-  }
-  return impl.edges.matches().empty() ? 0. : sum / static_cast<double>(impl.edges.matches().size());
+  return m_impl->edges.agreement(m_cMo, edgeReach);
 }
 
 // How well the distance map agrees with the pose, as a share of what it had in trusted frames. Beside the matches,
@@ -79,17 +78,38 @@ void vpMbMultiCueTracker::lookAtEdges()
   m_impl->agreement.edgeCount = static_cast<double>(m_impl->edges.matches().size());
 }
 
-double vpMbMultiCueTracker::pointAgreement() const
+double vpMbMultiCueTracker::Impl::agreeingPoints(const vpHomogeneousMatrix &cMo, std::size_t &followed)
 {
-  const Impl &impl = *m_impl;
-  vpResidualBlock &block = m_impl->block;
-  impl.points->residuals(m_cMo, block);
+  points->residuals(cMo, block);
   double sum = 0.;
   for (std::size_t i = 0; i + 1 < block.rows.size(); i += 2) {
     const double distance = std::hypot(block.rows[i].error, block.rows[i + 1].error);
-    sum += closeness(distance, pointReach / impl.frameCamera.get_px());
+    sum += closeness(distance, pointReach / frameCamera.get_px());
   }
-  return impl.points->matches().empty() ? 0. : sum / static_cast<double>(impl.points->matches().size());
+  followed = block.rows.size() / 2;
+  return sum;
+}
+
+double vpMbMultiCueTracker::pointAgreement() const
+{
+  const std::size_t searched = m_impl->points->matches().size();
+  std::size_t followed = 0;
+  return searched == 0 ? 0. : m_impl->agreeingPoints(m_cMo, followed) / static_cast<double>(searched);
+}
+
+// While the object is followed: points that agreed with trusted poses do not slide along an edge, as other cues may do.
+// Their share is that of those which were found again, for what hides the object, or turns away, is not their fault.
+vpMbMultiCueTracker::Impl::Share vpMbMultiCueTracker::Impl::shareOfPoints(const vpHomogeneousMatrix &cMo)
+{
+  std::size_t followed = 0;
+  const double agreeing = agreeingPoints(cMo, followed);
+  if (followed <= fewestPoints) {
+    return {};
+  }
+  const double share = agreeing / (usualOfPoints * static_cast<double>(followed));
+  const double number = static_cast<double>(followed - fewestPoints) / static_cast<double>(enoughPoints - fewestPoints);
+  const double weight = besideOthers * std::min(number, 1.);
+  return {weight * std::min(share, mostOfOne), weight};
 }
 
 double vpMbMultiCueTracker::Impl::countedShare(double value, double usual)
@@ -114,8 +134,8 @@ double vpMbMultiCueTracker::Impl::weightBesideEdges(double variance) const
   return (leastBesideEdges + (1. - leastBesideEdges) * fixed * fixed) * reliability(variance);
 }
 
-// How well the cues agree with the pose, each as a share of what it had in the trusted frames before. Points count only
-// where there is nothing else: those of what hides the object agree with a wrong pose.
+// How well the cues agree with the pose, each as a share of what it had in the trusted frames before. After a loss
+// points count only where there is nothing else: those of what hid the object agree with a wrong pose.
 double vpMbMultiCueTracker::explainedShare()
 {
   Impl &impl = *m_impl;
@@ -149,6 +169,10 @@ double vpMbMultiCueTracker::explainedShare()
   if (impl.uses(KLT_TRACKER) && !(cues > 0.)) {
     agreement.points = pointAgreement();
     add(impl.countedShare(agreement.points, impl.usual.points), 1.);
+  } else if (impl.uses(KLT_TRACKER) && !impl.mustConfirm) {
+    const Impl::Share points = impl.shareOfPoints(m_cMo);
+    sum += points.sum;
+    cues += points.cues;
   }
   impl.share = {sum, cues};
   return impl.explainedBy(impl.share, m_cMo);

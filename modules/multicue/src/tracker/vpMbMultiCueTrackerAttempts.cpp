@@ -104,7 +104,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     impl.attempted.push_back(m_cMo);
   }
   const double surprise = impl.surpriseAt(m_cMo);
-  double value = share - farPenalty * surprise;
+  double value = share - std::max(farPenalty * surprise, impl.inertia.penalty(m_cMo));
   if (impl.mustConfirm) {
     // What was never seen is no evidence for a pose. Half a turn of a symmetric object explains as much: the one nearer
     // to the last trusted pose is likelier.
@@ -245,6 +245,17 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
   }
 }
 
+// Where the object is if it moves as it did some frames ago. \return True where that leads to a pose that is enough.
+bool vpMbMultiCueTracker::attemptInert(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  if (impl.best.explained < 0. || !impl.inertia.isLeftBy(impl.best.cMo)) {
+    return false;
+  }
+  impl.usesPoints = false;
+  return attemptFrom(frame, impl.inertia.cMo(), false);
+}
+
 bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
@@ -263,6 +274,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   impl.surface.setFrame(frame);
   estimateCoarse(frame);
   bool isEnough = takeAttempt(refineFused(frame));
+  isEnough = attemptInert(frame) || isEnough;
   impl.holdsPrediction = false; // The attempts to come look elsewhere.
   if (!isEnough && impl.mustConfirm) {
     isEnough = attemptAhead(frame, first.before, first.cMo);

@@ -55,6 +55,11 @@ void vpMbMultiCueTracker::predict()
     m_cMo = impl.holdsTurns() ? impl.symmetries.nearest(expected.cMo, m_cMo, *impl.model) : expected.cMo;
     predictRange(expected.covariance);
   }
+  if (impl.holdsPrediction) {
+    impl.inertia.predict(impl.time, impl.model->centre(), impl.model->diameter());
+  } else {
+    impl.inertia.skip();
+  }
   impl.expectedPose = m_cMo;
   impl.startPose = m_cMo;
 }

@@ -242,7 +242,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   if (points) {
     points->reset();
   }
-  kalman.reset();
+  forgetMotion();
   fusion.clear();
   isJudged = false;
   hypotheses.clear();

@@ -9,6 +9,7 @@
 #include "tracker/vpCentreFrame.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpHalfTurns.h"
+#include "tracker/vpInertia.h"
 #include "tracker/vpJudgedPose.h"
 #include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseTracks.h"
@@ -81,6 +82,10 @@ public:
     double sum = 0.;
     double cues = 0.; // Their weights.
   };
+  //! How many points agree with a pose, each as far as it does. \param followed Becomes the number that could.
+  double agreeingPoints(const vpHomogeneousMatrix &cMo, std::size_t &followed);
+  //! What the points say beside other cues, and how much that counts.
+  Share shareOfPoints(const vpHomogeneousMatrix &cMo);
   //! With what the keyframes say of the pose.
   double explainedBy(const Share &cues, const vpHomogeneousMatrix &cMo) const;
   //! A cue's agreement as a share of the usual one, as far as it counts.
@@ -161,6 +166,7 @@ public:
   void forgetMotion()
   {
     kalman.reset();
+    inertia.reset();
     sinceUpdate = 0.;
   }
   //! True where the prediction is still better than the last pose, for an object that is not seen.
@@ -347,6 +353,7 @@ public:
 
   // Motion.
   vpPoseKalmanFilter kalman;
+  vpInertia inertia;
   double sinceUpdate = 0.;    // Of the filter, seconds.
   double predictedRange = 0.; // Of the edges' search, pixels; 0: as it is set.
 

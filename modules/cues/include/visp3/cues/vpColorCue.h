@@ -45,6 +45,7 @@ public:
     int sampleFirst = 0;      //!< Fine levels: index of its first pixel near the contour.
     int sampleCount = 0;      //!< Fine levels: their number.
     double evidence = 0.;     //!< Coarse levels: see vpColorCue::evidence().
+    double light = 1.;        //!< Coarse levels: how well the contour can be seen there, [0, 1].
     double offset = 0.;       //!< Coarse levels: where the contour seems to be, pixels.
     double scale = 0.;        //!< Coarse levels: errors per pixel of the contour's distance. Fine levels: errors are
                               //!< multiplied by this, so that no line claims to know its contour too well.
@@ -75,8 +76,9 @@ public:
   const std::vector<Line> &lines() const { return m_lines; }
   /*!
     How well the view of the last match explains the image's colours; coarse levels only.
-    \return Mean over the lines of the logarithm of how much likelier the contour is where the view has it than anywhere
-    within reach: 0 where the colours tell nothing, about 1 to 1.5 where all is well, negative at a wrong pose.
+    \return Mean over the lines that have light (\ref cues_color_light) of the logarithm of how much likelier the
+    contour is where the view has it than anywhere within reach: 0 where the colours tell nothing, about 1 to 1.5 where
+    all is well, negative at a wrong pose.
   */
   double evidence() const;
   /*!
@@ -138,6 +140,7 @@ private:
   void findLessons(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights);
   void learnHistograms(double rate);
   void doubtLine(Line &line) const;
+  double lightAt(std::size_t line, int first, int last) const;
 
   vpColorCueSettings m_settings;
   unsigned int m_level = 0;

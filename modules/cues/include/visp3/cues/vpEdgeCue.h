@@ -75,6 +75,11 @@ public:
     int first = 0;     //!< Index of its first candidate.
     int count = 0;     //!< Number of its candidates, best first; 0: nothing found.
     vpFeatureState state = vpFeatureState::GOOD; //!< Why nothing was found.
+    /*!
+      How well the image can show an edge there, [0, 1]: 0 where all is darker than the smallest contrast around the
+      point, 1 from twice that on. See \ref cues_edge_light.
+    */
+    double light = 1.;
   };
 
   //! What residuals() takes of a control point where it is not told a candidate by its index.
@@ -106,6 +111,15 @@ public:
   void reset() override;
   void getFeatures(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights,
                    std::vector<vpCueFeature> &features) const override;
+
+  /*!
+    How well the last match agrees with a pose.
+    \param cMo Pose.
+    \param reach Distance of a candidate from which on it does not agree, pixels, > 0.
+    \return Mean over the control points of 1 - (distance / reach)^2, 0 where no candidate is within reach, in [0, 1];
+    each counts as far as there is light. 0 without control points.
+  */
+  double agreement(const vpHomogeneousMatrix &cMo, double reach) const;
 
   const std::vector<Match> &matches() const { return m_matches; }
   const std::vector<Candidate> &candidates() const { return m_candidates; }

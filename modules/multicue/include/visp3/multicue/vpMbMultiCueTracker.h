@@ -398,6 +398,7 @@ private:
   void learnUsual();
   void learnUsualOfStart(const vpCueFrame &frame);
   bool takeAttempt(bool estimated);
+  bool attemptInert(const vpCueFrame &frame);
   void tryOthers(const vpCueFrame &frame);
   void tryTurns(const vpCueFrame &frame);
   bool isDecisive() const;
