@@ -91,8 +91,7 @@ void vpColorCue::match(const vpCueFrame &frame, const vpModelView &view)
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       posterior.evaluate(strip(i), m_lines[i]);
       doubtLine(m_lines[i]);
-      m_lines[i].light =
-          lightAt(i, std::max(-vpLight::reach, m_lines[i].first), std::min(vpLight::reach, m_lines[i].last));
+      m_lines[i].light = lightAt(strip(i), m_lines[i]);
       m_lines[i].scale *= std::sqrt(vpLight::pull(m_lines[i].light));
     }
   } else if (m_channels == 1) {
@@ -112,12 +111,12 @@ void vpColorCue::doubtLine(Line &line) const
   line.evidence *= belief;
 }
 
-// Of a line's pixels between two offsets.
-double vpColorCue::lightAt(std::size_t line, int first, int last) const
+// Of the contour. \param pixels Of the line, by offset from it.
+double vpColorCue::lightAt(const std::uint32_t *pixels, const Line &line) const
 {
-  const std::uint32_t *pixels = strip(line);
   double brightest = 0.;
-  for (int k = first; k <= last; ++k) {
+  const int last = std::min(vpLight::reach, line.last);
+  for (int k = std::max(-vpLight::reach, line.first); k <= last; ++k) {
     brightest = std::max(brightest, m_channels == 1 ? pixels[k] : brightnessOf(pixels[k]));
   }
   return vpLight::at(brightest, leastContrast);

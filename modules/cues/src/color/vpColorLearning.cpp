@@ -93,8 +93,7 @@ double vpColorCue::evidenceAt(const vpHomogeneousMatrix &cMo)
     posterior.evaluate(strip(i) + shift, moved);
     m_evidence[i] = moved.evidence;
     doubtLine(moved);
-    mean.add(moved.evidence,
-             lightAt(i, shift + std::max(-vpLight::reach, moved.first), shift + std::min(vpLight::reach, moved.last)));
+    mean.add(moved.evidence, lightAt(strip(i) + shift, moved));
   }
   return mean.value();
 }

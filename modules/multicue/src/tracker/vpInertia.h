@@ -28,7 +28,11 @@ public:
     std::array<double, 2> deviation = {0., 0.};
   };
 
-  void reset() { m_frames = none; }
+  void reset()
+  {
+    m_frames = none;
+    skip();
+  }
   //! No pose is known in this frame.
   void skip() { m_isPredicted = false; }
   //! Begins a frame. \param time Of it, seconds. \param centre Of the object, in its frame. \param diameter Of it.

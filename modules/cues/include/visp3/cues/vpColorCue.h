@@ -140,7 +140,7 @@ private:
   void findLessons(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights);
   void learnHistograms(double rate);
   void doubtLine(Line &line) const;
-  double lightAt(std::size_t line, int first, int last) const;
+  double lightAt(const std::uint32_t *pixels, const Line &line) const;
 
   vpColorCueSettings m_settings;
   unsigned int m_level = 0;
