@@ -122,7 +122,7 @@ TEST_CASE("interaction matrices are the derivatives of the errors", "[edge-jacob
       }
     }
     for (std::size_t j = 0; j < block.rows.size(); ++j) {
-      REQUIRE(block.rows[j].weight == 1.);
+      REQUIRE(block.rows[j].weight > 0.); // That of its claim.
       const double norm = block.rows[j].jacobian.norm();
       REQUIRE(norm > 0.1);
       CHECK((differences[j] - block.rows[j].jacobian).norm() < 1e-4 * norm);

@@ -114,7 +114,9 @@ double largestTurn(bool textureEdges)
     }
     tracker.track(I);
     CAPTURE(i);
-    CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+    if (textureEdges) { // Else nothing holds the turn, and it may go so far in a frame that the estimation diverges.
+      CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+    }
     const vpThetaUVector error = (poseAt(i).inverse() * tracker.getPose()).getThetaUVector();
     largest = i < 5 ? 0. : std::max(largest, std::fabs(vpMath::deg(error[2])));
   }

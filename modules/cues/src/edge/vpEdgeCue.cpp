@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/cues/vpEdgeCue.h>
 
+#include "edge/vpEdgeClaims.h"
 #include "edge/vpEdgeSearch.h"
 #include "edge/vpProjectedLine.h"
 #include "frame/vpLight.h"
@@ -20,6 +21,8 @@ const double edgeNoise = 0.5;
 const double edgeBias = 0.05;
 // Rows with less robust weight are called outliers and teach nothing.
 const double outlierWeight = 0.1;
+// What a row keeps of its weight whose edge of the image belongs to others.
+const double leastClaim = 0.05;
 
 int binOf(double parameter)
 {
@@ -69,16 +72,33 @@ void vpEdgeCue::remember(const Match &match, const Memory &memory)
 }
 
 namespace {
-// Distance to the nearer neighbour on the same model edge; a point alone on its edge stands for all of it.
-double reachOf(const std::vector<vpControlPoint> &points, std::size_t i)
+// Distance to the nearer neighbour on the same model edge; infinite for a point that has none.
+template <typename Distance>
+double toNeighbour(const std::vector<vpControlPoint> &points, std::size_t i, Distance distance)
 {
-  double reach = 2.;
+  double least = HUGE_VAL;
   for (const std::size_t other : {i + 1, i - 1}) {
     if (other < points.size() && points[other].edge == points[i].edge) {
-      reach = std::min(reach, std::fabs(points[other].parameter - points[i].parameter));
+      least = std::min(least, distance(points[other], points[i]));
     }
   }
-  return reach;
+  return least;
+}
+
+// A point alone on its edge stands for all of it.
+double reachOf(const std::vector<vpControlPoint> &points, std::size_t i)
+{
+  const auto distance = [](const vpControlPoint &a, const vpControlPoint &b) {
+    return std::fabs(a.parameter - b.parameter);
+  };
+  return std::min(toNeighbour(points, i, distance), 2.);
+}
+
+double lengthOf(const std::vector<vpControlPoint> &points, std::size_t i)
+{
+  const double length = toNeighbour(
+      points, i, [](const vpControlPoint &a, const vpControlPoint &b) { return (a.pixel - b.pixel).norm(); });
+  return std::isfinite(length) ? length : 0.;
 }
 
 void dropMasked(const vpCueFrame &frame, const vpControlPoint &point, vpEdgeSearch::Extrema &extrema)
@@ -110,6 +130,15 @@ vpFeatureState select(vpEdgeSearch::Extrema &extrema, const float *reference, co
   std::partial_sort(extrema.first, extrema.first + kept, extrema.last, likelier);
   extrema.last = extrema.first + kept;
   return kept == 0 ? vpFeatureState::CONTRAST : vpFeatureState::GOOD;
+}
+
+// To where the control point was looked for.
+const vpEdgeCue::Candidate &nearestOf(const vpEdgeCue::Candidate *candidates, int count)
+{
+  return *std::min_element(candidates, candidates + count,
+                           [](const vpEdgeCue::Candidate &a, const vpEdgeCue::Candidate &b) {
+                             return std::fabs(a.offset) < std::fabs(b.offset);
+                           });
 }
 
 vpEdgeCue::Candidate toCandidate(const vpControlPoint &point, const vpEdgeSearch::Extremum &extremum,
@@ -145,6 +174,7 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     Match &match = m_matches.back();
     match.point = point;
     match.reach = reachOf(points, i);
+    match.length = lengthOf(points, i);
     match.first = static_cast<int>(m_candidates.size());
     const Memory *memory = recall(point);
     // Remembered along the edge's own direction, searched along the normal.
@@ -156,6 +186,27 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     match.count = static_cast<int>(extrema.last - extrema.first);
     for (const vpEdgeSearch::Extremum *extremum = extrema.first; extremum != extrema.last; ++extremum) {
       m_candidates.push_back(toCandidate(point, *extremum, m_camera));
+    }
+  }
+  shareCandidates();
+}
+
+void vpEdgeCue::shareCandidates()
+{
+  vpEdgeClaims claims(m_matches.size());
+  for (const Match &match : m_matches) {
+    if (match.count > 0) {
+      const vpControlPoint &point = match.point;
+      const Candidate &nearest = nearestOf(m_candidates.data() + match.first, match.count);
+      claims.add({point.edge, (point.pixel + nearest.offset * point.normal).cast<float>(), point.normal.cast<float>(),
+                  static_cast<float>(std::fabs(nearest.offset)), static_cast<float>(match.length)});
+    }
+  }
+  const std::vector<float> shares = claims.shares();
+  auto share = shares.begin();
+  for (Match &match : m_matches) {
+    if (match.count > 0) {
+      match.claim = static_cast<double>(*share++);
     }
   }
 }
@@ -172,7 +223,7 @@ void vpEdgeCue::addRow(const Match &match, int choice, const vpLineProjector &pr
   }
   const Candidate *first = m_candidates.data() + match.first;
   const Candidate &candidate = choice < 0 ? line.nearest(first, match.count) : first[choice];
-  row.weight = vpLight::pull(match.light);
+  row.weight = vpLight::pull(match.light) * std::max(match.claim, leastClaim);
   row.error = line.distance(candidate.place);
   line.jacobian(candidate.place, row.error, row.jacobian);
 }

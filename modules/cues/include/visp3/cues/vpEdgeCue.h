@@ -71,15 +71,21 @@ public:
   struct Match
   {
     vpControlPoint point;
-    double reach = 1.; //!< Stretch of the model edge that it stands for, as a difference of vpControlPoint::parameter.
-    int first = 0;     //!< Index of its first candidate.
-    int count = 0;     //!< Number of its candidates, best first; 0: nothing found.
+    double reach = 1.;  //!< Stretch of the model edge that it stands for, as a difference of vpControlPoint::parameter.
+    double length = 0.; //!< The same in the image, pixels; 0 where it is alone on its edge.
+    int first = 0;      //!< Index of its first candidate.
+    int count = 0;      //!< Number of its candidates, best first; 0: nothing found.
     vpFeatureState state = vpFeatureState::GOOD; //!< Why nothing was found.
     /*!
       How well the image can show an edge there, [0, 1]: 0 where all is darker than the smallest contrast around the
       point, 1 from twice that on. See \ref cues_edge_light.
     */
     double light = 1.;
+    /*!
+      How far the nearest candidate is evidence of this edge, (0, 1]: less than 1 where other model edges beside it take
+      the same edge of the image for theirs. See \ref cues_edge_claims.
+    */
+    double claim = 1.;
   };
 
   //! What residuals() takes of a control point where it is not told a candidate by its index.
@@ -135,6 +141,7 @@ private:
     bool known = false;
   };
 
+  void shareCandidates();
   void addRow(const Match &match, int choice, const vpLineProjector &project, std::vector<vpResidual> &rows) const;
   const Memory *recall(const vpControlPoint &point) const;
   void remember(const Match &match, const Memory &memory);
