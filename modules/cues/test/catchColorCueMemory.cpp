@@ -194,3 +194,32 @@ TEST_CASE("a wrong number of weights is refused", "[color-memory]")
   const std::string rows = std::to_string(rowsOf(cue).rows.size());
   CHECK_THROWS_WITH(cue.updateReference(cMo, std::vector<double>(1, 1.)), ContainsSubstring("1 weights for " + rows));
 }
+
+TEST_CASE("the cue goes back to what it knew before", "[color-memory]")
+{
+  Scene scene(makeBox());
+  vpFrameSource source;
+  const vpImage<vpRGBa> I = scene.draw(cMo);
+  const vpImage<vpRGBa> other = scene.draw(cMo, plain());
+  vpColorCue cue;
+  learn(cue, scene, source.frame(I, makeCamera(), nullptr), cMo);
+  const vpColorCue::Reference before = cue.reference();
+  const auto evidence = [&] {
+    cue.setLevel(1);
+    cue.match(source.frame(I, makeCamera(), nullptr), scene.look(cMo));
+    return cue.evidence();
+  };
+  const double known = evidence();
+  cue.reset();
+  learn(cue, scene, source.frame(other, makeCamera(), nullptr), cMo);
+  REQUIRE(evidence() < 0.5 * known);
+  cue.setReference(before);
+  CHECK(evidence() == known);
+
+  // Not to what colours told, once images are gray.
+  vpImage<unsigned char> gray;
+  vpImageConvert::convert(I, gray);
+  learn(cue, scene, source.frame(gray, makeCamera(), nullptr), cMo);
+  cue.setReference(before);
+  CHECK(cue.histograms().channels() == 1);
+}

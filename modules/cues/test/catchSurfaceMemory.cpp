@@ -210,3 +210,32 @@ TEST_CASE("A second frame of the same size allocates nothing", "[surface-memory]
   CHECK(countAllocations::allocations == before);
   CHECK(std::isfinite(correlation));
 }
+
+TEST_CASE("The memory goes back to what it knew before", "[surface-memory]")
+{
+  Remembered box;
+  box.learnAt(truth);
+  const vpSurfaceMemory::Reference before = box.memory.reference();
+  const double correlation = box.correlation(truth);
+  const vpImage<vpRGBa> I = box.scene.draw(truth, box.paint);
+  box.memory.reset();
+  box.paint.object = [](const Eigen::Vector3d &oX) { return patches(oX + Eigen::Vector3d::Constant(0.5)); };
+  box.learnAt(truth);
+  box.show(I);
+  REQUIRE(box.correlation(truth) < correlation - 0.2);
+  box.memory.setReference(before);
+  CHECK(box.correlation(truth) == correlation);
+
+  // Not to what gray images told, nor to other places.
+  Remembered gray;
+  gray.show(grayOf(box.scene.draw(truth, box.paint)));
+  gray.memory.learn(truth, nullptr);
+  const double texture = gray.memory.texture();
+  CHECK(texture > 0.);
+  gray.memory.setReference(before);
+  CHECK(gray.memory.texture() == texture);
+  CHECK(gray.memory.reference().channels == 1);
+  gray.memory.setSamples(vpSampleSurface(colorScenes::makeBox(), 20));
+  gray.memory.setReference(before);
+  CHECK(gray.memory.reference().weights.size() != before.weights.size());
+}

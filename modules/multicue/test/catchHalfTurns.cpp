@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
+#include <vector>
 
 #include <catchMain.h>
 
@@ -15,7 +15,7 @@ namespace {
 const vpHomogeneousMatrix expected(0.1, -0.2, 0.8, 0.4, -0.3, 0.7);
 const Eigen::Vector3d centre(0.05, 0.3, -0.1);
 const vpHomogeneousMatrix other(0., 0., 1., 2.2, 1.9, 0.);
-const std::array<vpHomogeneousMatrix, 3> expectedPoses = {{other, expected, other}};
+const std::vector<vpHomogeneousMatrix> expectedPoses = {other, expected, other};
 
 //! A box of three sizes whose sides are turned by this in its frame.
 vpTrackedModel turnedBox(const Eigen::Matrix3d &turn)

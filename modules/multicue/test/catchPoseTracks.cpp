@@ -167,7 +167,8 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
   vpPoseBelief believed;
   believed.start(0.9);
   vpPoseTracks tracks;
-  tracks.begin(at(0.), 0.8, believed);
+  tracks.begin(at(0.), at(-0.02), 0.8, believed);
+  CHECK(tracks.chosen().before[0][3] == -0.02);
   followFirst(tracks, at(0.02), 0.8);
   tracks.add(at(1.), 0.8, isSame);
   tracks.choose(at(0.02), vpPoseTracks::Seen::WELL, isSame);

@@ -60,6 +60,14 @@ void vpColorCue::reset()
   m_memory.clear();
 }
 
+void vpColorCue::setReference(const Reference &reference)
+{
+  if (reference.histograms.channels() == m_channels) {
+    m_histograms = reference.histograms;
+    m_memory = reference.memory;
+  }
+}
+
 void vpColorCue::match(const vpCueFrame &frame, const vpModelView &view)
 {
   m_camera = frame.camera();

@@ -69,16 +69,23 @@ void vpSurfaceMemory::setSamples(const std::vector<vpSurfaceSample> &samples)
     m_places[6 * count + i] = samples[i].seenFromBothSides ? 1.F : 0.F;
   }
   m_patches = vpGroupIntoPatches(samples, patches);
-  m_colors.assign(count, {});
-  m_shades.assign(count, {});
-  m_weights.assign(count, 0.F);
-  m_texture = 0.;
+  m_known.colors.assign(count, {});
+  m_known.shades.assign(count, {});
+  m_known.weights.assign(count, 0.F);
+  m_known.texture = 0.;
 }
 
 void vpSurfaceMemory::reset()
 {
-  std::fill(m_weights.begin(), m_weights.end(), 0.F);
-  m_texture = 0.;
+  std::fill(m_known.weights.begin(), m_known.weights.end(), 0.F);
+  m_known.texture = 0.;
+}
+
+void vpSurfaceMemory::setReference(const Reference &reference)
+{
+  if (reference.weights.size() == m_known.weights.size() && reference.channels == m_known.channels) {
+    m_known = reference;
+  }
 }
 
 void vpSurfaceMemory::setFrame(const vpCueFrame &frame)
@@ -91,9 +98,9 @@ void vpSurfaceMemory::setFrame(const vpCueFrame &frame)
   m_width = static_cast<int>(frame.width() / 2);
   m_height = static_cast<int>(frame.height() / 2);
   const unsigned int channels = frame.hasColor() ? 3 : 1;
-  if (channels != m_channels) {
+  if (channels != m_known.channels) {
     reset();
-    m_channels = channels;
+    m_known.channels = channels;
   }
   if (frame.hasColor()) {
     vpHalveImage(frame.color(), m_pixels);
@@ -105,16 +112,16 @@ void vpSurfaceMemory::setFrame(const vpCueFrame &frame)
 template <typename Sums, typename Visible>
 void vpSurfaceMemory::sumUp(vpPlaceProjection &projection, Sums &sums, Visible isVisible) const
 {
-  projection.forEachSeen(m_places.data(), m_weights.size(), [&](const vpSeenPlace &place) {
+  projection.forEachSeen(m_places.data(), m_known.weights.size(), [&](const vpSeenPlace &place) {
     if (!isVisible(place)) {
       return;
     }
     vpPatchSums &patch = sums[m_patches[place.number]];
     ++patch.seen;
-    if (m_weights[place.number] > 0.F) {
+    if (m_known.weights[place.number] > 0.F) {
       const std::uint8_t *pixel = pixelOf(m_pixels, place);
       const float color[3] = {static_cast<float>(pixel[0]), static_cast<float>(pixel[1]), static_cast<float>(pixel[2])};
-      patch.add(m_shades[place.number], vpShadeOf(color, m_channels), m_middle);
+      patch.add(m_known.shades[place.number], vpShadeOf(color, m_known.channels), m_known.middle);
     }
   });
 }
@@ -148,13 +155,13 @@ vpSurfaceMemory::Agreement vpSurfaceMemory::agreement(const vpHomogeneousMatrix 
 void vpSurfaceMemory::mix(const vpSeenPlace &place)
 {
   const std::uint8_t *pixel = pixelOf(m_pixels, place);
-  std::array<float, 4> &color = m_colors[place.number];
-  float &weight = m_weights[place.number];
+  std::array<float, 4> &color = m_known.colors[place.number];
+  float &weight = m_known.weights[place.number];
   const float share = weight > 0.F ? rate : 1.F;
-  for (unsigned int c = 0; c < m_channels; ++c) {
+  for (unsigned int c = 0; c < m_known.channels; ++c) {
     color[c] += share * (static_cast<float>(pixel[c]) - color[c]);
   }
-  m_shades[place.number] = vpShadeOf(color.data(), m_channels);
+  m_known.shades[place.number] = vpShadeOf(color.data(), m_known.channels);
   weight = std::min(1.F, std::max(weight, forgotten) + rate);
 }
 
@@ -170,11 +177,11 @@ void vpSurfaceMemory::learn(const vpHomogeneousMatrix &cMo, const vpRenderedView
   std::transform(sums.begin(), sums.end(), contradicts.begin(), [](const vpPatchSums &patch) {
     return isKnown(patch) && textureOf(patch) > 0.5F && patch.correlation() < leastCorrelation;
   });
-  projection.forEachSeen(m_places.data(), m_weights.size(), [&](const vpSeenPlace &place) {
+  projection.forEachSeen(m_places.data(), m_known.weights.size(), [&](const vpSeenPlace &place) {
     if (!isVisible(place)) {
       return;
     }
-    float &weight = m_weights[place.number];
+    float &weight = m_known.weights[place.number];
     if (contradicts[m_patches[place.number]] && weight > 0.F) {
       weight = weight - forgetting > forgotten ? weight - forgetting : 0.F;
     } else {
@@ -187,20 +194,20 @@ void vpSurfaceMemory::learn(const vpHomogeneousMatrix &cMo, const vpRenderedView
 // What all places that are remembered have in common.
 void vpSurfaceMemory::summarise()
 {
-  m_middle.fill(0.F);
+  m_known.middle.fill(0.F);
   float count = 0.F;
-  for (std::size_t i = 0; i < m_weights.size(); ++i) {
-    if (m_weights[i] > 0.F) {
+  for (std::size_t i = 0; i < m_known.weights.size(); ++i) {
+    if (m_known.weights[i] > 0.F) {
       count += 1.F;
       for (std::size_t k = 0; k < 4; ++k) {
-        m_middle[k] += (m_shades[i][k] - m_middle[k]) / count;
+        m_known.middle[k] += (m_known.shades[i][k] - m_known.middle[k]) / count;
       }
     }
   }
   std::array<vpPatchSums, patches> sums;
-  for (std::size_t i = 0; i < m_weights.size(); ++i) {
-    if (m_weights[i] > 0.F) {
-      sums[m_patches[i]].add(m_shades[i], m_shades[i], m_middle);
+  for (std::size_t i = 0; i < m_known.weights.size(); ++i) {
+    if (m_known.weights[i] > 0.F) {
+      sums[m_patches[i]].add(m_known.shades[i], m_known.shades[i], m_known.middle);
     }
   }
   double known = 0.;
@@ -211,7 +218,7 @@ void vpSurfaceMemory::summarise()
       textured += static_cast<double>(patch.known) * static_cast<double>(textureOf(patch));
     }
   }
-  m_texture = known > 0. ? textured / known : 0.;
+  m_known.texture = known > 0. ? textured / known : 0.;
 }
 
 END_VISP_NAMESPACE

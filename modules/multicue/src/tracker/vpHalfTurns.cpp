@@ -19,7 +19,7 @@ Eigen::Matrix3d halfTurn(const Eigen::Vector3d &axis)
   return 2. * axis * axis.transpose() - Eigen::Matrix3d::Identity();
 }
 
-double leastAngle(const Eigen::Matrix3d &rotation, const std::array<vpHomogeneousMatrix, 3> &expected)
+double leastAngle(const Eigen::Matrix3d &rotation, const std::vector<vpHomogeneousMatrix> &expected)
 {
   double least = HUGE_VAL;
   for (const vpHomogeneousMatrix &pose : expected) {
@@ -56,7 +56,7 @@ void vpHalfTurns::setModel(const vpTrackedModel &model, const std::vector<vpSurf
 }
 
 std::optional<vpHomogeneousMatrix> vpHalfTurns::nearer(const vpHomogeneousMatrix &cMo,
-                                                       const std::array<vpHomogeneousMatrix, 3> &expected) const
+                                                       const std::vector<vpHomogeneousMatrix> &expected) const
 {
   Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
   const Eigen::Matrix3d rotation = pose.linear();

@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,7 +23,7 @@ public:
   void setModel(const vpTrackedModel &model, const std::vector<vpSurfaceSample> &samples);
   // A pose turned by half, where one is much nearer in its orientation to one of the expected ones than the pose is.
   std::optional<vpHomogeneousMatrix> nearer(const vpHomogeneousMatrix &cMo,
-                                            const std::array<vpHomogeneousMatrix, 3> &expected) const;
+                                            const std::vector<vpHomogeneousMatrix> &expected) const;
 
 private:
   Eigen::Vector3d m_centre = Eigen::Vector3d::Zero();

@@ -239,6 +239,7 @@ void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
   learnSurprise();
   updateMotion();
   impl.trust(m_cMo, impl.kalman.velocity());
+  impl.keepLearnt();
   if (impl.kalman.isStarted()) {
     impl.inertia.update(
         {m_cMo, impl.kalman.velocity(), impl.time, {std::sqrt(impl.surprise[0]), std::sqrt(impl.surprise[1])}});

@@ -62,9 +62,6 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   for (const vpHomogeneousMatrix &pose : whereabouts()) {
     least = std::min(least, changeFrom(pose));
   }
-  if (trustedBefore) {
-    least = std::min(least, changeFrom(*trustedBefore));
-  }
   for (const vpWeightedPose &pose : rough.detected) {
     least = std::min(least, changeFrom(pose.cMo));
   }
@@ -81,7 +78,7 @@ double vpMbMultiCueTracker::Impl::depthChange(const vpHomogeneousMatrix &cMo) co
   };
   double least = changeFrom(depthOf(trusted.cMo));
   if (trustedBefore) {
-    least = std::min(least, changeFrom(depthOf(*trustedBefore)));
+    least = std::min(least, changeFrom(depthOf(trustedBefore->cMo)));
   }
   for (const double depth : rough.depths) {
     least = std::min(least, changeFrom(depth));
@@ -235,7 +232,8 @@ void vpMbMultiCueTracker::findAgain(const vpCueFrame &frame)
       return;
     }
   }
-  if (attemptFrom(frame, impl.movedOn(1.), false)) {
+  if (attemptFrom(frame, impl.movedOn(impl.trusted, 1.), false) ||
+      (impl.trustedBefore && attemptFrom(frame, impl.movedOn(*impl.trustedBefore, 1.), false))) {
     return;
   }
   if (!tryKeyframes(frame, false)) {
@@ -260,12 +258,12 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.attempted.clear();
-  impl.recallLearnt();
   if (impl.type == EDGE_TRACKER) {
     impl.scoreFrame(frame);
     impl.hypotheses.clear();
   }
   if (impl.mustConfirm) {
+    impl.recallLearnt();
     impl.beginTracks(m_cMo);
   }
   const vpPoseTracks::Track first = impl.tracks.empty() ? vpPoseTracks::Track() : impl.tracks.tracks().front();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "tracker/vpEvenMotion.h"
 #include "tracker/vpTrackerState.h"
 
 #include <algorithm>
@@ -21,7 +20,6 @@ const double windowShare = 0.5;
 const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
 const vpPoseSearch::Spread atPlace = {0.08, vpPoseSearch::near().rotation, 0.15}; // That a colour showed.
 const double depthPrior = 0.2; // Of a distance that is e times what it was.
-const double halfWay = 0.5;    // An object that went on while it was hidden may have slowed down.
 // About poses at the distance that the object had.
 const vpPoseSearch::Spread atDistance = {0.05, 0.15, 0.04};
 const std::size_t atDistanceParents = 24;
@@ -53,7 +51,7 @@ void vpMbMultiCueTracker::searchEverywhere(const vpCueFrame &frame)
   }
   // The object may come back in other light, or show a side whose colours were never seen: every second search is one
   // by edges.
-  const bool byEdges = impl.uses(EDGE_TRACKER) && impl.lostFrames % 2 == 1;
+  const bool byEdges = impl.uses(EDGE_TRACKER) && impl.framesSinceLoss % 2 == 0;
   const double begin = impl.searchBudget.elapsed();
   const std::size_t number = impl.searchBudget.number(wideNumber);
   impl.scoreFrame(frame);
@@ -116,7 +114,7 @@ std::vector<vpHomogeneousMatrix>
 vpMbMultiCueTracker::Impl::atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const
 {
   const Eigen::Vector3d centre = model->centre();
-  const double depth = depthOf(trusted.cMo);
+  const double depth = depthOf(searchOrigin().cMo);
   std::vector<vpHomogeneousMatrix> poses;
   for (const vpPoseCandidate &candidate : candidates) {
     Eigen::Isometry3d pose = vpPoseExponential::toEigen(candidate.cMo);
@@ -129,34 +127,19 @@ vpMbMultiCueTracker::Impl::atTrustedDepth(const std::vector<vpPoseCandidate> &ca
   return poses;
 }
 
-// Where the object is if it went on as it moved when it was trusted. \param share Of the way that it would have gone.
-vpHomogeneousMatrix vpMbMultiCueTracker::Impl::movedOn(double share) const
-{
-  const double gone = std::min(time - trusted.time, kalman.settings().longestGap);
-  return vpEvenMotion(trusted.cMo, trusted.velocity, model->centre(), share * gone);
-}
-
-std::array<vpHomogeneousMatrix, 3> vpMbMultiCueTracker::Impl::whereabouts() const
-{
-  return {{trusted.cMo, movedOn(1.), movedOn(halfWay)}};
-}
-
 // Six numbers are too many to draw all of them far and wide: far places have likely orientations, and likely places all
 // orientations.
 void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number)
 {
   const vpPoseSearch::Spread near = vpPoseSearch::near();
-  const vpPoseSearch::Spread wide = spreadWhileLost(lostFrames);
-  const auto [before, moved, movedHalf] = whereabouts();
-  search.setPrior({before, moved, movedHalf}, wide, vpPoseSearch::usualPrior);
+  const vpPoseSearch::Spread wide = spreadWhileLost(framesSinceLoss);
+  const auto [before, moved, movedHalf] = whereaboutsOf(searchOrigin());
+  search.setPrior(whereabouts(), wide, vpPoseSearch::usualPrior);
   search.scatter({expectedPose, before}, wide, number / 8);
   const vpPoseSearch::Spread far = {std::max(0.5 * wide.translation, near.translation), near.rotation,
                                     std::max(0.5 * wide.depth, near.depth)};
   for (const vpHomogeneousMatrix &cMo : {moved, movedHalf}) {
     search.scatter({cMo, turnedAt(before, cMo, model->centre())}, far, number / 8);
-  }
-  if (trustedBefore) {
-    search.scatter({*trustedBefore}, wide, number / 8);
   }
   for (const Place &place : placesOfColors(frame)) {
     const auto all = static_cast<std::size_t>(0.5 * place.share * static_cast<double>(number));
@@ -173,7 +156,7 @@ void vpMbMultiCueTracker::Impl::scatterEverywhere(const vpCueFrame &frame, vpPos
 // Likely orientations where their contours are found in the image: too many to draw the place of each as well.
 void vpMbMultiCueTracker::Impl::scatterScanned(const vpCueFrame &frame, vpPoseSearch &search, std::size_t number)
 {
-  const double depth = depthOf(trusted.cMo);
+  const double depth = depthOf(searchOrigin().cMo);
   if (!uses(EDGE_TRACKER) || !(depth > 0.)) {
     return;
   }
@@ -181,8 +164,8 @@ void vpMbMultiCueTracker::Impl::scatterScanned(const vpCueFrame &frame, vpPoseSe
   contourScan.setImage(distanceMap, cam, frame.width(), frame.height(), 0.5 * cam.get_px() * model->diameter() / depth);
   const auto share = [number](double of) { return static_cast<std::size_t>(of * static_cast<double>(number)); };
   vpPoseSearch drawn(poseScore, *model, draws++);
-  const auto [before, moved, movedHalf] = whereabouts();
-  const vpPoseSearch::Spread wide = spreadWhileLost(lostFrames);
+  const auto [before, moved, movedHalf] = whereaboutsOf(searchOrigin());
+  const vpPoseSearch::Spread wide = spreadWhileLost(framesSinceLoss);
   drawn.scatter({before, moved, movedHalf}, {0., wide.rotation, atPlace.depth}, share(scannedShare));
   std::vector<vpPoseCandidate> found;
   for (const vpPoseCandidate &candidate : drawn.candidates()) {
@@ -205,7 +188,7 @@ std::vector<vpMbMultiCueTracker::Impl::Place> vpMbMultiCueTracker::Impl::placesO
   if (!uses(COLOR_TRACKER) || !color.histograms().isKnown()) {
     return places;
   }
-  const double depth = depthOf(trusted.cMo);
+  const double depth = depthOf(searchOrigin().cMo);
   const vpCameraParameters &cam = frame.camera();
   const double size = windowShare * cam.get_px() * model->diameter() / depth;
   const std::vector<vpBlob> &found = blobs.find(oddsMap, frame.width(), frame.height(), size, mostBlobs);

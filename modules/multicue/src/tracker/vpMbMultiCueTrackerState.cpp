@@ -22,14 +22,14 @@ const unsigned int neededAhead = 6;
 const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
 const unsigned int mostDoubtfulByEdges = 3; // Edges alone lead from one wrong pose to the next.
-// A pose that was trusted in fewer frames until it was lost again was no right one, perhaps.
-const unsigned int fewTrusted = 10;
-const double leastInside = 0.3; // Share of the outline that is in the image.
+const double leastInside = 0.3;             // Share of the outline that is in the image.
 const double trustedBelief = 0.7;
 // A pose that is believed less than this for so many frames on end is lost: others farther off are looked for while the
 // object is still near.
 const double leastBelief = 0.6;
 const unsigned int mostDisbelieved = 2;
+// Logarithm of the factor between distances: one that changed by more needs a surface that agrees.
+const double mostDepthChange = 0.5;
 const double mostLead = 0.25; // That counts, of what a pose explains more than others.
 // Fewer points than this happen to agree anywhere.
 const unsigned int fewestGood = 8;
@@ -123,43 +123,10 @@ void vpMbMultiCueTracker::believe()
   }
 }
 
-// An object that is lost soon after it was found may have been something else; or it was the object, and is near there.
-void vpMbMultiCueTracker::Impl::noteLoss()
-{
-  if (mustConfirm) {
-    return;
-  }
-  mustConfirm = true;
-  farDeviation = mostFarDeviation;
-  trustedBefore.reset();
-  if (learntBefore && trustedFrames < fewTrusted) {
-    mustRecall = true;
-  } else {
-    learntBefore = std::make_unique<Learnt>(Learnt{color, surface, usual, unsteadiness, trusted});
-  }
-}
-
-// At the start of a frame: the last one's results are of what was learnt then.
-void vpMbMultiCueTracker::Impl::recallLearnt()
-{
-  if (!mustRecall) {
-    return;
-  }
-  mustRecall = false;
-  color = learntBefore->color;
-  surface = learntBefore->surface;
-  usual = learntBefore->usual;
-  unsteadiness = learntBefore->unsteadiness;
-  trustedBefore = learntBefore->trusted.cMo;
-  keyframes.reset();
-  searched.clear();
-}
-
 void vpMbMultiCueTracker::confirmState()
 {
   Impl &impl = *m_impl;
   if (impl.state == vpTrackingState::LOST) {
-    ++impl.lostFrames;
     impl.confirmations = 0;
     impl.noteLoss();
     return;
@@ -181,15 +148,8 @@ void vpMbMultiCueTracker::confirmState()
   const bool confirms =
       isExplained && inside >= Impl::insideToConfirm && impl.best.explained >= vpPoseTracks::confirming;
   impl.confirmations = confirms ? impl.confirmations + 1 : 0;
-  impl.lostFrames += confirms ? 0 : 1;
   if (isConfirmed(inside)) {
-    impl.mustConfirm = false;
-    impl.trustedFrames = 0;
-    impl.lostFrames = 0;
-    impl.doubtfulFrames = 0;
-    impl.disbelievedFrames = 0;
-    impl.searched.clear();
-    impl.forgetMotion();
+    impl.noteFound();
   } else {
     impl.state = vpTrackingState::UNCERTAIN;
   }
@@ -199,7 +159,10 @@ void vpMbMultiCueTracker::confirmState()
 bool vpMbMultiCueTracker::isConfirmed(double inside) const
 {
   const Impl &impl = *m_impl;
-  if (!impl.tracks.isCompared()) {
+  // A small pose far away fits into many a part of what the image shows.
+  const bool isElsewhere = impl.depthChange(m_cMo) > mostDepthChange;
+  const bool hasTexture = impl.type != EDGE_TRACKER && impl.surface.texture() > Impl::leastTexture;
+  if (!impl.tracks.isCompared() || (isElsewhere && !(hasTexture && isDecisive()))) {
     return false;
   }
   if (inside >= Impl::insideToConfirm && impl.tracks.ahead() >= neededAhead) {

@@ -38,7 +38,9 @@ void vpMbMultiCueTracker::Impl::beginTracks(const vpHomogeneousMatrix &cMo)
     return;
   }
   if (tracks.empty()) {
-    tracks.begin(cMo, best.explained, belief);
+    const vpHomogeneousMatrix before =
+        mayCoast() ? vpEvenMotion(cMo, kalman.velocity(), model->centre(), -frameInterval) : cMo;
+    tracks.begin(cMo, before, best.explained, belief);
   }
   tracks.follow(0);
 }

@@ -53,11 +53,13 @@ void vpPoseTracks::clear()
   m_lead = 0.;
 }
 
-void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, double explained, const vpPoseBelief &belief)
+void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &before, double explained,
+                         const vpPoseBelief &belief)
 {
   clear();
   Track track;
-  track.cMo = track.before = cMo;
+  track.cMo = cMo;
+  track.before = before;
   track.mean = explained;
   track.frames = framesOfBelieved * belief.probability();
   track.belief = belief;

@@ -52,9 +52,11 @@ public:
   void clear();
   bool empty() const { return m_tracks.empty(); }
   const std::vector<Track> &tracks() const { return m_tracks; }
-  //! The first one: a pose that was followed until now. \param explained By it in the frame before. \param belief Its
-  //! probability says how many frames that is worth.
-  void begin(const vpHomogeneousMatrix &cMo, double explained, const vpPoseBelief &belief);
+  //! The first one: a pose that was followed until now. \param before Where it was a frame earlier; the same where that
+  //! is unknown. \param explained By it in the frame before. \param belief Its probability says how many frames that is
+  //! worth.
+  void begin(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &before, double explained,
+             const vpPoseBelief &belief);
   //! The attempts to come start from this track, or from none of them.
   void follow(std::size_t index) { m_followed = index; }
   //! From the one with this pose, if there is one.

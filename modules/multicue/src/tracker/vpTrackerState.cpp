@@ -218,12 +218,12 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   keyframes.reset();
   keyframeIsProvisional = false;
   searched.clear();
-  lostFrames = 0;
+  framesSinceLoss = 0;
   confirmations = 0;
   tracks.clear();
   mustConfirm = false;
-  mustRecall = false;
-  learntBefore.reset();
+  past.clear();
+  wasFound = false;
   trustedBefore.reset();
   outsideFrames = 0;
   doubtfulFrames = 0;

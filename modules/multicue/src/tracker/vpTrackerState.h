@@ -11,6 +11,7 @@
 #include "tracker/vpHalfTurns.h"
 #include "tracker/vpInertia.h"
 #include "tracker/vpJudgedPose.h"
+#include "tracker/vpPastKnowledge.h"
 #include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseTracks.h"
 #include "tracker/vpPoseUncertainty.h"
@@ -259,7 +260,6 @@ public:
   vpHalfTurns halfTurns;
   unsigned long long scoredFrame = 0;
   std::vector<vpPoseCandidate> searched; // The best ones of the frames before, while the object is lost.
-  unsigned int lostFrames = 0;           // On end.
   bool mustConfirm = false;
   unsigned int outsideFrames = 0;  // On end.
   unsigned int doubtfulFrames = 0; // The same, with a pose that is not explained.
@@ -276,28 +276,34 @@ public:
     trusted = {cMo, velocity, time};
     rough.depths.clear();
   }
-  vpHomogeneousMatrix movedOn(double share) const;
+  vpHomogeneousMatrix movedOn(const Trusted &from, double share) const;
   std::vector<vpHomogeneousMatrix> atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const;
   //! Where the object was trusted to be, where it is if it went on as it moved then, and halfway.
-  std::array<vpHomogeneousMatrix, 3> whereabouts() const;
-  //! What trusted frames told of the object's looks.
+  std::array<vpHomogeneousMatrix, 3> whereaboutsOf(const Trusted &from) const;
+  //! The same of where it was trusted last, and of where it was before that.
+  std::vector<vpHomogeneousMatrix> whereabouts() const;
+  //! Where a search begins.
+  const Trusted &searchOrigin() const;
+  //! What trusted frames told of the object.
   struct Learnt
   {
-    vpColorCue color;
-    vpSurfaceMemory surface;
+    vpColorCue::Reference color;
+    vpSurfaceMemory::Reference surface;
     Agreement usual;
-    Agreement unsteadiness;
     Trusted trusted;
   };
   void noteLoss();
+  void noteFound();
+  void keepLearnt();
+  std::optional<unsigned int> levelToRecall() const;
   void recallLearnt();
-  std::unique_ptr<Learnt> learntBefore; // Before the last loss; null where there was none.
-  //! Where it was trusted to be before the last loss, while what was trusted since may be something else.
-  std::optional<vpHomogeneousMatrix> trustedBefore;
-  bool mustRecall = false;        // What was learnt since then is of something else.
-  unsigned int trustedFrames = 0; // Since the object was found again.
-  unsigned int confirmations = 0; // Frames that explained a pose on end since the object was lost.
-  vpPoseTracks tracks;            // While it has to be confirmed.
+  vpPastKnowledge<std::shared_ptr<const Learnt>> past;
+  std::optional<Trusted> trustedBefore; // Of what was recalled, while what was trusted since may be something else.
+  unsigned int framesSinceLoss = 0;     // While it has to be confirmed; 0 before the first frame.
+  bool wasFound = false;                // After a loss.
+  unsigned int trustedFrames = 0;       // Since the start, or since the object was found again.
+  unsigned int confirmations = 0;       // Frames that explained a pose on end since the object was lost.
+  vpPoseTracks tracks;                  // While it has to be confirmed.
   //! True where two poses are followed as one.
   vpPoseTracks::Same sameTrack() const;
   //! True where others have to be looked for before a pose that explains the image is confirmed.

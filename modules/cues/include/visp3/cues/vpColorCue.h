@@ -88,6 +88,17 @@ public:
   double evidenceAt(const vpHomogeneousMatrix &cMo);
   const vpColorHistograms &histograms() const { return m_histograms; }
 
+  //! What trusted frames told.
+  struct Reference
+  {
+    vpColorHistograms histograms;
+    vpColorMemory memory;
+  };
+  Reference reference() const { return {m_histograms, m_memory}; }
+  //! Goes back to what was known before. Nothing happens where that was told by gray images and the last one had
+  //! colour, or the other way round.
+  void setReference(const Reference &reference);
+
 private:
   friend class vpColorLineFinder;
   friend class vpContourBars;

@@ -45,7 +45,7 @@ public:
   //! Forgets the colours.
   void reset();
   //! How much all that is remembered tells poses apart, [0, 1]: 0 for a surface of one colour, and before learn().
-  double texture() const { return m_texture; }
+  double texture() const { return m_known.texture; }
 
   /*!
     Takes the image that agreement() and learn() look at. A frame of another kind, gray instead of colour or the other
@@ -65,6 +65,21 @@ public:
   */
   void learn(const vpHomogeneousMatrix &cMo, const vpRenderedView *depth);
 
+  //! What is remembered.
+  struct Reference
+  {
+    std::vector<float> weights;               //!< Of each place: 0 where it was never seen, rising to 1.
+    std::vector<std::array<float, 4>> colors; //!< Gray levels.
+    std::vector<std::array<float, 4>> shades; //!< The same as patches are compared by.
+    std::array<float, 4> middle{};            //!< Mean of the shades.
+    double texture = 0.;                      //!< See texture().
+    unsigned int channels = 3;                //!< Of the images: 1 or 3.
+  };
+  const Reference &reference() const { return m_known; }
+  //! Goes back to what was known before. Nothing happens where that was told of other places, or by gray images and the
+  //! last one had colour, or the other way round.
+  void setReference(const Reference &reference);
+
 private:
   static constexpr std::size_t patches = 48;
 
@@ -75,17 +90,12 @@ private:
 
   // In arrays for loops over all places: position, normal, and whether a place is seen from both sides.
   std::vector<float> m_places;
-  std::vector<float> m_weights;               // 0: never seen, rising to 1.
-  std::vector<std::array<float, 4>> m_colors; // Remembered.
-  std::vector<std::array<float, 4>> m_shades; // The same as patches are compared by.
-  std::vector<std::uint8_t> m_patches;        // Of each place.
-  std::array<float, 4> m_middle{};            // Mean of the shades.
-  double m_texture = 0.;
+  std::vector<std::uint8_t> m_patches; // Of each place.
+  Reference m_known;
   std::vector<std::uint8_t> m_pixels; // Four bytes each.
   int m_width = 0;
   int m_height = 0;
   vpCameraParameters m_camera; // Of the full image.
-  unsigned int m_channels = 3;
   unsigned long long m_frame = 0;
 };
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpEvenMotion.h"
+#include "tracker/vpTrackerState.h"
+
+#include <algorithm>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// Frames in vain after which older knowledge is tried, and those that each is tried for, in turn with the newest.
+const unsigned int framesWithNewest = 20;
+const unsigned int framesWithOther = 10;
+// An object that was trusted in fewer frames until it was lost again was something else, perhaps.
+const unsigned int fewTrusted = 10;
+// Of what is usual: a drift mostly explains less, or moves as the object did not.
+const double worthKeeping = 0.8;
+const double halfWay = 0.5; // An object that went on while it was hidden may have slowed down.
+} // namespace
+
+void vpMbMultiCueTracker::Impl::noteLoss()
+{
+  if (mustConfirm) {
+    return;
+  }
+  mustConfirm = true;
+  farDeviation = mostFarDeviation;
+  framesSinceLoss = 0;
+  trustedBefore.reset();
+}
+
+void vpMbMultiCueTracker::Impl::noteFound()
+{
+  mustConfirm = false;
+  wasFound = true;
+  trustedFrames = 0;
+  doubtfulFrames = 0;
+  disbelievedFrames = 0;
+  searched.clear();
+  if (trustedBefore) {
+    past.settle();
+  }
+  forgetMotion();
+}
+
+// After a trusted frame.
+void vpMbMultiCueTracker::Impl::keepLearnt()
+{
+  if (searches && best.value >= worthKeeping && past.count()) {
+    past.keep(std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, trusted}));
+  }
+}
+
+// \return Which knowledge to look for the object with from this frame on, see vpPastKnowledge; none: as before.
+std::optional<unsigned int> vpMbMultiCueTracker::Impl::levelToRecall() const
+{
+  if (framesSinceLoss == 1) {
+    return 0U;
+  }
+  const bool isDue = framesSinceLoss > framesWithNewest && (framesSinceLoss - 1) % framesWithOther == 0;
+  if (!isDue || confirmations > 0) {
+    return std::nullopt;
+  }
+  const unsigned int change = (framesSinceLoss - 1 - framesWithNewest) / framesWithOther;
+  return change % 2 == 0 ? change / 2 + 1 : 0U;
+}
+
+// At the start of a frame after a loss: the last one's results are of what was learnt then. How steady the cues are is
+// not forgotten: it takes long to be known, and a drift changes it little.
+void vpMbMultiCueTracker::Impl::recallLearnt()
+{
+  ++framesSinceLoss;
+  const std::optional<unsigned int> level = levelToRecall();
+  const std::shared_ptr<const Learnt> *recalled = level ? past.recall(*level) : nullptr;
+  if (recalled == nullptr) {
+    return;
+  }
+  const Learnt &learnt = **recalled;
+  color.setReference(learnt.color);
+  surface.setReference(learnt.surface);
+  usual = learnt.usual;
+  trustedBefore = learnt.trusted;
+  if (*level > 0 || (wasFound && trustedFrames < fewTrusted)) {
+    keyframes.reset();
+  }
+  searched.clear();
+}
+
+// Where the object is if it went on as it moved when it was trusted. \param share Of the way that it would have gone.
+vpHomogeneousMatrix vpMbMultiCueTracker::Impl::movedOn(const Trusted &from, double share) const
+{
+  const double gone = std::min(time - from.time, kalman.settings().longestGap);
+  return vpEvenMotion(from.cMo, from.velocity, model->centre(), share * gone);
+}
+
+std::array<vpHomogeneousMatrix, 3> vpMbMultiCueTracker::Impl::whereaboutsOf(const Trusted &from) const
+{
+  return {{from.cMo, movedOn(from, 1.), movedOn(from, halfWay)}};
+}
+
+std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::Impl::whereabouts() const
+{
+  const std::array<vpHomogeneousMatrix, 3> last = whereaboutsOf(trusted);
+  std::vector<vpHomogeneousMatrix> poses(last.begin(), last.end());
+  if (trustedBefore) {
+    const std::array<vpHomogeneousMatrix, 3> before = whereaboutsOf(*trustedBefore);
+    poses.insert(poses.end(), before.begin(), before.end());
+  }
+  return poses;
+}
+
+// Either of them in two searches on end, one by colours and one by edges.
+const vpMbMultiCueTracker::Impl::Trusted &vpMbMultiCueTracker::Impl::searchOrigin() const
+{
+  return trustedBefore && (framesSinceLoss - 1) / 2 % 2 == 1 ? *trustedBefore : trusted;
+}
+
+END_VISP_NAMESPACE
