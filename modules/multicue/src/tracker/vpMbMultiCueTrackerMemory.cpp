@@ -16,6 +16,8 @@ const unsigned int framesWithOther = 10;
 const unsigned int fewTrusted = 10;
 // Of what is usual: a drift mostly explains less, or moves as the object did not.
 const double worthKeeping = 0.8;
+// Frames from one that explained so much to a loss that came at once, at a right pose.
+const double mostSudden = 5.5;
 const double halfWay = 0.5; // An object that went on while it was hidden may have slowed down.
 } // namespace
 
@@ -28,6 +30,7 @@ void vpMbMultiCueTracker::Impl::noteLoss()
   farDeviation = mostFarDeviation;
   framesSinceLoss = 0;
   trustedBefore.reset();
+  wasSudden = time - lastExplained < mostSudden * frameInterval;
 }
 
 void vpMbMultiCueTracker::Impl::noteFound()
@@ -47,7 +50,11 @@ void vpMbMultiCueTracker::Impl::noteFound()
 // After a trusted frame.
 void vpMbMultiCueTracker::Impl::keepLearnt()
 {
-  if (searches && best.value >= worthKeeping && past.count()) {
+  if (!searches || best.value < worthKeeping) {
+    return;
+  }
+  lastExplained = time;
+  if (past.count()) {
     past.keep(std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, trusted}));
   }
 }
@@ -110,10 +117,12 @@ std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::Impl::whereabouts() const
   return poses;
 }
 
-// Either of them in two searches on end, one by colours and one by edges.
+// Either of them in two searches on end, one by colours and one by edges. Of an object that was lost at once the last
+// one is right, most likely.
 const vpMbMultiCueTracker::Impl::Trusted &vpMbMultiCueTracker::Impl::searchOrigin() const
 {
-  return trustedBefore && (framesSinceLoss - 1) / 2 % 2 == 1 ? *trustedBefore : trusted;
+  const bool isDoubtful = trustedBefore && (!wasSudden || framesSinceLoss > framesWithNewest);
+  return isDoubtful && (framesSinceLoss - 1) / 2 % 2 == 1 ? *trustedBefore : trusted;
 }
 
 END_VISP_NAMESPACE

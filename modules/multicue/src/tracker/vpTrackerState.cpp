@@ -223,6 +223,8 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   tracks.clear();
   mustConfirm = false;
   past.clear();
+  lastExplained = time;
+  wasSudden = false;
   wasFound = false;
   trustedBefore.reset();
   outsideFrames = 0;

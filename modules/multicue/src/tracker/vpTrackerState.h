@@ -298,6 +298,8 @@ public:
   std::optional<unsigned int> levelToRecall() const;
   void recallLearnt();
   vpPastKnowledge<std::shared_ptr<const Learnt>> past;
+  double lastExplained = 0.;            // When a trusted frame was explained well.
+  bool wasSudden = false;               // The last loss.
   std::optional<Trusted> trustedBefore; // Of what was recalled, while what was trusted since may be something else.
   unsigned int framesSinceLoss = 0;     // While it has to be confirmed; 0 before the first frame.
   bool wasFound = false;                // After a loss.
