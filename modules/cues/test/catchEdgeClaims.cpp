@@ -30,19 +30,10 @@ Line upright(double u)
   return Line{Eigen::Vector2d(u, 60.), M_PI / 2.};
 }
 
-//! Mean over the control points of an upright line that found something.
+//! Mean over the control points of an upright line, all of which found something.
 double claimAt(const vpEdgeCue &cue, double u)
 {
-  double sum = 0.;
-  int count = 0;
-  for (const vpEdgeCue::Match &match : cue.matches()) {
-    if (std::fabs(match.point.pixel.x() - u) < 0.5 && match.count > 0) {
-      sum += match.claim;
-      ++count;
-    }
-  }
-  REQUIRE(count > 5);
-  return sum / count;
+  return meanAt(cue, u, [](const vpEdgeCue::Match &match) { return match.count > 0 ? match.claim : std::nan(""); });
 }
 } // namespace
 

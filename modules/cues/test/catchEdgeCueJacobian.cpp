@@ -121,8 +121,16 @@ TEST_CASE("interaction matrices are the derivatives of the errors", "[edge-jacob
         differences[j](i) = (after.rows[j].error - before.rows[j].error) / (2. * step);
       }
     }
+    std::vector<double> weights;
+    for (const vpEdgeCue::Match &found : cue.matches()) {
+      if (found.count > 0) {
+        REQUIRE(found.light == 1.);
+        weights.push_back(std::max(found.claim, 0.05));
+      }
+    }
+    REQUIRE(weights.size() == block.rows.size());
     for (std::size_t j = 0; j < block.rows.size(); ++j) {
-      REQUIRE(block.rows[j].weight > 0.); // That of its claim.
+      REQUIRE(block.rows[j].weight == weights[j]);
       const double norm = block.rows[j].jacobian.norm();
       REQUIRE(norm > 0.1);
       CHECK((differences[j] - block.rows[j].jacobian).norm() < 1e-4 * norm);

@@ -21,16 +21,7 @@ vpImage<unsigned char> drawPanel(double lit, double level = 100.)
 
 double lightAt(const vpEdgeCue &cue, double u)
 {
-  double sum = 0.;
-  int count = 0;
-  for (const vpEdgeCue::Match &match : cue.matches()) {
-    if (std::fabs(match.point.pixel.x() - u) < 1.) {
-      sum += match.light;
-      ++count;
-    }
-  }
-  REQUIRE(count > 5);
-  return sum / count;
+  return meanAt(cue, u, [](const vpEdgeCue::Match &match) { return match.light; });
 }
 } // namespace
 

@@ -173,6 +173,20 @@ inline void learn(vpEdgeCue &cue, const vpHomogeneousMatrix &cMo = vpHomogeneous
   cue.updateReference(cMo, std::vector<double>(found(cue), 1.));
 }
 
+//! Mean of what a function tells of the matches at a column; NaN where fewer than 6 are there.
+template <typename Value> double meanAt(const vpEdgeCue &cue, double u, const Value &value)
+{
+  double sum = 0.;
+  int count = 0;
+  for (const vpEdgeCue::Match &match : cue.matches()) {
+    if (std::fabs(match.point.pixel.x() - u) < 0.5) {
+      sum += value(match);
+      ++count;
+    }
+  }
+  return count > 5 ? sum / count : std::nan("");
+}
+
 } // namespace edgeScenes
 END_VISP_NAMESPACE
 #endif
