@@ -175,6 +175,7 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     match.point = point;
     match.reach = reachOf(points, i);
     match.length = lengthOf(points, i);
+    match.onSurface = view.textureEdgeOf(point) >= 0;
     match.first = static_cast<int>(m_candidates.size());
     const Memory *memory = recall(point);
     // Remembered along the edge's own direction, searched along the normal.
@@ -216,6 +217,7 @@ void vpEdgeCue::addRow(const Match &match, int choice, const vpLineProjector &pr
 {
   rows.emplace_back();
   vpResidual &row = rows.back();
+  row.onSurface = match.onSurface;
   const vpProjectedLine line = project(match.point);
   if (!line.isSeen()) {
     row.weight = 0.;

@@ -113,6 +113,7 @@ void vpPointCue::residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &bloc
     vpResidual &rowX = *(block.rows.end() - 2);
     vpResidual &rowY = *(block.rows.end() - 1);
     rowX = rowY = vpResidual();
+    rowX.onSurface = rowY.onSurface = true;
     const Eigen::Vector3d cX = camera.toCamera(match.position);
     if (!(cX.z() > 0.)) {
       rowX.weight = rowY.weight = 0.;

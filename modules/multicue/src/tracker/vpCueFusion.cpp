@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpCueFusion.h"
 
+#include <algorithm>
+
 BEGIN_VISP_NAMESPACE
 
 void vpCueFusion::add(int type, const vpPoseCue &cue)
@@ -39,17 +41,36 @@ unsigned int vpCueFusion::start(const vpHomogeneousMatrix &cMo)
   return cueRows() + (m_prior.isSet() ? vpPosePrior::rows : 0);
 }
 
-// Takes motions that the object's symmetry hides out of the rows.
+bool vpCueFusion::isHidden(const Part &part, const vpResidual &row) const
+{
+  return m_hides && !(row.onSurface && (m_allMarks || part.type == m_seeing));
+}
+
+bool vpCueFusion::showsAll() const
+{
+  for (std::size_t i = 0; i < m_count; ++i) {
+    const Part &part = m_parts[i].part;
+    const std::vector<vpResidual> &rows = part.block.rows;
+    if (std::any_of(rows.begin(), rows.end(), [&](const vpResidual &row) { return !isHidden(part, row); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Takes motions that the object's shape hides out of the rows.
 void vpCueFusion::hide(const vpHomogeneousMatrix &cMo, Part &part) const
 {
-  if (!m_hides || part.type == m_seeing) {
+  if (!m_hides) {
     return;
   }
   const vpPoseMatrix6 cVo = vpPoseExponential::adjoint(cMo);
   const vpPoseMatrix6 oVc = vpPoseExponential::adjoint(cMo.inverse());
   const vpPoseMatrix6 visible = (cVo * m_visible * oVc).transpose();
   for (vpResidual &row : part.block.rows) {
-    row.jacobian = visible * row.jacobian;
+    if (isHidden(part, row)) {
+      row.jacobian = visible * row.jacobian;
+    }
   }
 }
 

@@ -49,15 +49,19 @@ public:
   //! What is known beforehand: its rows come last, and are not weighed. clear() forgets it.
   void setPrior(const vpPosePrior &prior) { m_prior = prior; }
   /*!
-    Motions that all cues but one are blind to: their interaction matrices lose them. clear() forgets it.
-    \param visible Takes these motions out of small motions, object frame. \param except Type of the one that sees them.
+    Motions that outlines do not show: their interaction matrices lose them. clear() forgets it.
+    \param visible Takes these motions out of small motions, object frame. \param seeing Type of the cue whose marks on
+    the surface show them, \param allMarks those of all other cues do as well.
   */
-  void setVisibleMotions(const vpPoseMatrix6 &visible, int except)
+  void setVisibleMotions(const vpPoseMatrix6 &visible, int seeing, bool allMarks)
   {
     m_visible = visible;
-    m_seeing = except;
+    m_seeing = seeing;
+    m_allMarks = allMarks;
     m_hides = true;
   }
+  //! True where a feature showed what setVisibleMotions() said that outlines do not.
+  bool showsAll() const;
   //! Number of rows of the cues alone.
   unsigned int cueRows() const;
 
@@ -99,6 +103,7 @@ private:
     vpColVector w;
   };
 
+  bool isHidden(const Part &part, const vpResidual &row) const;
   void hide(const vpHomogeneousMatrix &cMo, Part &part) const;
 
   std::deque<Memory> m_parts; // Grows without copies, which of an empty vpColVector are undefined in ViSP 3.5.
@@ -106,6 +111,7 @@ private:
   vpHomogeneousMatrix m_pose;
   bool m_hides = false;
   int m_seeing = 0;
+  bool m_allMarks = false;
   vpPoseMatrix6 m_visible = vpPoseMatrix6::Identity();
   vpPosePrior m_prior;
   std::array<vpResidual, vpPosePrior::rows> m_priorRows;

@@ -52,7 +52,7 @@ void vpMbMultiCueTracker::predict()
     const vpPoseKalmanFilter::Estimate expected = impl.kalman.predict(impl.sinceUpdate);
     impl.holdsPrediction = !impl.mustConfirm;
     // Of a turn that nothing shows, the filter would go on with what tilting the axis made it believe.
-    m_cMo = impl.holdsTurns() ? impl.symmetries.nearest(expected.cMo, m_cMo, *impl.model) : expected.cMo;
+    m_cMo = impl.holdsTurns() ? impl.symmetries.unturned(expected.cMo, m_cMo, *impl.model) : expected.cMo;
     predictRange(expected.covariance);
   }
   if (impl.holdsPrediction) {
@@ -81,8 +81,8 @@ bool vpMbMultiCueTracker::minimise(const std::vector<int> &cues)
       impl.fusion.add(cue, *impl.points);
     }
   }
-  if (impl.symmetries.hasAxis()) { // Only points on the surface may show a turn.
-    impl.fusion.setVisibleMotions(impl.symmetries.visibleMotions(), KLT_TRACKER);
+  if (impl.symmetries.hasAxis()) { // Only marks on the surface may show a turn.
+    impl.fusion.setVisibleMotions(impl.symmetries.visibleMotions(), KLT_TRACKER, impl.symmetries.printShowsTurns());
   }
   if (impl.comparesAttempts()) {
     setPrior();

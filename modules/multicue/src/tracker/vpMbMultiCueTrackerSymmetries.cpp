@@ -18,11 +18,11 @@ const vpModelSymmetries &vpMbMultiCueTracker::getSymmetries() const
   return m_impl->symmetries.known();
 }
 
-// Motions that pose hypotheses may take: they rest on edges alone, to which turns about an axis of symmetry mean
-// nothing.
+// Motions that pose hypotheses may take: they rest on edges alone, and outlines do not show turns about an axis of the
+// shape.
 void vpMbMultiCueTracker::Impl::restrictHypotheses(const vpMatrix &oJo)
 {
-  if (!symmetries.hasAxis()) {
+  if (!symmetries.hasAxis() || edgesShowTurns()) {
     hypotheses.setEstimatedMotions(oJo);
     return;
   }

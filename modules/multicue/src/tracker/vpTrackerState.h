@@ -81,7 +81,8 @@ public:
   struct Share
   {
     double sum = 0.;
-    double cues = 0.; // Their weights.
+    double cues = 0.;       // Their weights.
+    double most = HUGE_VAL; // That the others are worth beside the edges.
   };
   //! How many points agree with a pose, each as far as it does. \param followed Becomes the number that could.
   double agreeingPoints(const vpHomogeneousMatrix &cMo, std::size_t &followed);
@@ -176,11 +177,12 @@ public:
   vpHomogeneousMatrix centreFrame() const { return vpCentreFrame(*model); }
   //! Of the poses that look like one, the nearest to where the object is believed to be.
   vpHomogeneousMatrix nearestAlike(const vpHomogeneousMatrix &cMo) const;
-  //! True where nothing in the last image showed a turn about an axis of symmetry.
-  bool holdsTurns() const
+  //! True where nothing in the last image showed a turn about an axis of the object's shape.
+  bool holdsTurns() const { return symmetries.hasAxis() && !fusion.showsAll(); }
+  //! True where edges show such turns, too: those of the texture.
+  bool edgesShowTurns() const
   {
-    const vpCueFusion::Part *part = fusion.find(KLT_TRACKER);
-    return symmetries.hasAxis() && (part == nullptr || part->block.rows.empty());
+    return symmetries.printShowsTurns() && viewOptions.textureEdges && !view->textureEdges().empty();
   }
   double rivalDistance(const vpHomogeneousMatrix &c1Mb, const vpHomogeneousMatrix &c2Mb) const;
   void restrictHypotheses(const vpMatrix &oJo);
@@ -367,6 +369,7 @@ public:
 
   // Outcome.
   vpTrackingState state = vpTrackingState::UNCERTAIN;
+  bool wasTracking = false; // In the frame before.
   vpMbTrackingResult::Reason outcome = vpMbTrackingResult::Reason::NOT_STARTED;
   std::string reason;
   vpPoseBelief belief;              // Of several cues.

@@ -12,6 +12,15 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // Of a step's length; what is left of it is not worth an attempt.
 const double littleLeft = 1. / 3.;
+
+// Axes alone are asked for.
+vpModelSymmetries axesOf(const vpTrackedModel &model, bool withColors)
+{
+  vpSymmetryOptions options;
+  options.mostTurns = 2;
+  options.colorTolerance = withColors ? options.colorTolerance : 1.;
+  return vpFindSymmetries(model, options);
+}
 } // namespace
 
 vpModelSymmetries vpTrackerSymmetries::read(const std::string &from, unsigned int object, const vpTrackedModel *model)
@@ -41,12 +50,16 @@ void vpTrackerSymmetries::setModel(const vpTrackedModel &model)
   if (m_from == find) {
     m_known = vpFindSymmetries(model);
   }
+  m_shape = axesOf(model, false);
+  m_isPrinted = !m_shape.axes().empty() && axesOf(model, true).axes().empty();
   measure(model);
 }
 
 void vpTrackerSymmetries::forget()
 {
   m_known = vpModelSymmetries();
+  m_shape = vpModelSymmetries();
+  m_turns = vpModelSymmetries();
   m_from = m_from == find ? find : "";
 }
 
@@ -54,6 +67,12 @@ vpHomogeneousMatrix vpTrackerSymmetries::nearest(const vpHomogeneousMatrix &cMo,
                                                  const vpTrackedModel &model) const
 {
   return m_known.nearest(cMo, reference, model.centre(), 0.5 * model.diameter());
+}
+
+vpHomogeneousMatrix vpTrackerSymmetries::unturned(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &reference,
+                                                  const vpTrackedModel &model) const
+{
+  return m_turns.nearest(cMo, reference, model.centre(), 0.5 * model.diameter());
 }
 
 bool vpTrackerSymmetries::hides(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &reference,
@@ -70,7 +89,7 @@ bool vpTrackerSymmetries::hides(const vpHomogeneousMatrix &cMo, const vpHomogene
 
 Eigen::Matrix<double, 6, Eigen::Dynamic> vpTrackerSymmetries::hiddenMotions() const
 {
-  const std::vector<vpSymmetryAxis> &axes = m_known.axes();
+  const std::vector<vpSymmetryAxis> &axes = m_turns.axes();
   Eigen::Matrix<double, 6, Eigen::Dynamic> motions(6, static_cast<Eigen::Index>(axes.size()));
   for (std::size_t i = 0; i < axes.size(); ++i) {
     motions.col(static_cast<Eigen::Index>(i)) << axes[i].point.cross(axes[i].direction), axes[i].direction;
@@ -87,6 +106,12 @@ vpPoseMatrix6 vpTrackerSymmetries::settled(const vpPoseMatrix6 &covariance, cons
 
 void vpTrackerSymmetries::measure(const vpTrackedModel &model)
 {
+  const bool isKnown = !m_known.axes().empty();
+  m_turns = vpModelSymmetries();
+  for (const vpSymmetryAxis &axis : isKnown ? m_known.axes() : m_shape.axes()) {
+    m_turns.addAxis(axis);
+  }
+  m_printShowsTurns = !isKnown && m_isPrinted;
   if (!hasAxis()) {
     return;
   }

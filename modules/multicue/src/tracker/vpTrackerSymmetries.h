@@ -45,8 +45,13 @@ public:
   //! True where a step from a pose to another one is hardly one, because the object looks the same after it.
   bool hides(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &reference, const vpTrackedModel &model) const;
 
-  //! True where turns about an axis change nothing.
-  bool hasAxis() const { return !m_known.axes().empty(); }
+  //! True where turns about an axis leave the outline as it is: one that is known, or else one of the model's shape.
+  bool hasAxis() const { return !m_turns.axes().empty(); }
+  //! True where the model's colours are not the same all around such an axis, and none was declared.
+  bool printShowsTurns() const { return m_printShowsTurns; }
+  //! A pose with the turn about the axes, where there are any, that is nearest to another pose's.
+  vpHomogeneousMatrix unturned(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &reference,
+                               const vpTrackedModel &model) const;
   /*!
     Takes the turns about the axes out of small motions, object frame, metres and radians. What is left is perpendicular
     to them where a turn counts as the path of a point at half the diameter.
@@ -62,6 +67,10 @@ private:
   void measure(const vpTrackedModel &model);
 
   vpModelSymmetries m_known;
+  vpModelSymmetries m_shape; // Of the model without its colours: axes alone count.
+  bool m_isPrinted = false;  // And its colours have none of these.
+  vpModelSymmetries m_turns; // The axes that count.
+  bool m_printShowsTurns = false;
   vpPoseMatrix6 m_visible = vpPoseMatrix6::Identity();
   std::string m_from;
   unsigned int m_object = 0;

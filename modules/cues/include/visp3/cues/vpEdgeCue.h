@@ -86,6 +86,7 @@ public:
       the same edge of the image for theirs. See \ref cues_edge_claims.
     */
     double claim = 1.;
+    bool onSurface = false; //!< The edge is one of the model's texture.
   };
 
   //! What residuals() takes of a control point where it is not told a candidate by its index.

@@ -20,6 +20,7 @@ struct vpResidual
       Eigen::Matrix<double, 6, 1>::Zero(); //!< ViSP's interaction matrix: error' = jacobian . (v, omega) for a camera
                                            //!< velocity in the camera frame, m/s and rad/s.
   double weight = 1.;                      //!< What the cue itself thinks of it, [0, 1].
+  bool onSurface = false; //!< Of a mark on the surface, which turns with it, as print does; else of an outline.
 };
 
 /*! \ingroup group_cues The equations that a cue gives for a pose; always in the same order between two calls of
