@@ -24,7 +24,7 @@ void frame(vpPoseTracks &tracks, const std::vector<std::pair<double, double>> &f
   double best = -1.;
   vpHomogeneousMatrix chosen;
   for (const auto &[x, value] : found) {
-    const double compared = tracks.add(at(x), value, isSame);
+    const double compared = tracks.add(at(x), value, 0., isSame);
     if (compared > best) {
       best = compared;
       chosen = at(x);
@@ -45,7 +45,7 @@ template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
   vpHomogeneousMatrix chosen;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     tracks.follow(i);
-    const double compared = tracks.add(poses[i], valueAt(poses[i][0][3]), isSame);
+    const double compared = tracks.add(poses[i], valueAt(poses[i][0][3]), 0., isSame);
     tracks.followNone();
     if (compared > best) {
       best = compared;
@@ -60,7 +60,7 @@ template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
 void followFirst(vpPoseTracks &tracks, const vpHomogeneousMatrix &cMo, double value)
 {
   tracks.follow(0);
-  tracks.add(cMo, value, isSame);
+  tracks.add(cMo, value, 0., isSame);
   tracks.followNone();
 }
 
@@ -80,12 +80,30 @@ vpPoseTracks followedFor(unsigned int frames)
 }
 } // namespace
 
+TEST_CASE("A pose that is followed keeps the least penalty for where it is", "[tracks]")
+{
+  vpPoseTracks tracks;
+  tracks.add(at(0.), 1., 0.1, isSame);
+  tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
+  tracks.follow(0);
+  const double moved = tracks.add(at(0.04), 1., 0.4, isSame); // With the object.
+  tracks.followNone();
+  vpPoseTracks other;
+  other.add(at(0.), 1., 0.1, isSame);
+  other.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
+  CHECK(moved == other.add(at(0.), 1., 0.1, isSame));
+  tracks.follow(0);
+  CHECK(tracks.add(at(0.3), 1., 0.4, isSame) == Approx(moved - 0.3 / 2.)); // It jumped: the mean of two frames.
+  tracks.followNone();
+  CHECK(other.add(at(1.), 1., 0.1, isSame) == Approx(other.add(at(2.), 1., 0.4, isSame) + 0.3)); // Found just now.
+}
+
 TEST_CASE("One better image does not move a pose that was followed, some on end do", "[pose-tracks]")
 {
   vpPoseTracks tracks = followedFor(6);
   followFirst(tracks, at(0.), 0.7);
-  const double old = tracks.add(at(0.), 0.7, isSame);
-  CHECK(tracks.add(at(1.), 0.9, isSame) < old);
+  const double old = tracks.add(at(0.), 0.7, 0., isSame);
+  CHECK(tracks.add(at(1.), 0.9, 0., isSame) < old);
   tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
   CHECK(chosenAt(tracks) == 0.);
   REQUIRE(tracks.tracks().size() == 2);
@@ -102,15 +120,15 @@ TEST_CASE("A pose that is found from another one goes on as that one", "[pose-tr
 {
   vpPoseTracks tracks = followedFor(6);
   tracks.follow(at(0.01), isSame);
-  const double corrected = tracks.add(at(0.2), 0.9, isSame);
+  const double corrected = tracks.add(at(0.2), 0.9, 0., isSame);
   tracks.followNone();
-  CHECK(corrected > tracks.add(at(1.), 0.9, isSame)); // A new one.
+  CHECK(corrected > tracks.add(at(1.), 0.9, 0., isSame)); // A new one.
   tracks.choose(at(0.2), vpPoseTracks::Seen::WELL, isSame);
   CHECK(chosenAt(tracks) == 0.2);
   CHECK(tracks.tracks().size() == 2);
 
   tracks.follow(at(3.), isSame); // There is none.
-  CHECK(tracks.add(at(0.2), 0.9, isSame) > tracks.add(at(3.), 0.9, isSame));
+  CHECK(tracks.add(at(0.2), 0.9, 0., isSame) > tracks.add(at(3.), 0.9, 0., isSame));
 }
 
 TEST_CASE("A pose that explains nothing ends, others stay up to three, the same ones become one", "[pose-tracks]")
@@ -134,8 +152,8 @@ TEST_CASE("A lead over what was looked for counts by the frame", "[pose-tracks]"
   }
   SECTION("not in a frame without a search")
   {
-    tracks.add(at(0.), 0.7, isSame);
-    tracks.add(at(1.), 0.4, isSame);
+    tracks.add(at(0.), 0.7, 0., isSame);
+    tracks.add(at(1.), 0.4, 0., isSame);
     tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
     CHECK(tracks.lead() == 0.);
     CHECK(tracks.ahead() == 0);
@@ -170,7 +188,7 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
   tracks.begin(at(0.), at(-0.02), 0.8, believed);
   CHECK(tracks.chosen().before[0][3] == -0.02);
   followFirst(tracks, at(0.02), 0.8);
-  tracks.add(at(1.), 0.8, isSame);
+  tracks.add(at(1.), 0.8, 0., isSame);
   tracks.choose(at(0.02), vpPoseTracks::Seen::WELL, isSame);
   CHECK(tracks.chosen().belief.probability() == Approx(0.9));
   CHECK(tracks.chosen().before[0][3] == 0.);
@@ -240,8 +258,8 @@ TEST_CASE("What the followed pose explains is known once it was looked at in a f
   CHECK_FALSE(tracks.followedValue() > -1.);
   tracks.follow(0);
   CHECK_FALSE(tracks.followedValue() > -1.);
-  tracks.add(at(0.), 0.5, isSame);
-  tracks.add(at(0.), 0.4, isSame);
+  tracks.add(at(0.), 0.5, 0., isSame);
+  tracks.add(at(0.), 0.4, 0., isSame);
   CHECK(tracks.followedValue() == 0.5);
   tracks.followNone();
   CHECK_FALSE(tracks.followedValue() > -1.);

@@ -52,6 +52,7 @@ struct Tracked
 
   explicit Tracked(bool searches, int type = edgesAndPoints | vpMbMultiCueTracker::COLOR_TRACKER,
                    bool hasParticles = false)
+      : isSearching(searches)
   {
     vpParticleSettings particles;
     particles.enabled = hasParticles;
@@ -165,6 +166,7 @@ struct Tracked
     for (int i = 1; i <= frames; ++i) {
       const vpHomogeneousMatrix truth = displaced(cMo, Eigen::Vector3d::UnitZ(), 0.5 * i, {0.001 * i, 0., 0.});
       show(truth);
+      CHECK((!isTracking() || !isSearching || tracker.getTrackingResult().score >= 0.85)); // Else it is not believed.
       result.right = !isRight(truth) ? never : std::min(result.right, i);
       result.confirmed = isTracking() ? std::min(result.confirmed, i) : result.confirmed;
       result.wronglyTracked += isTracking() && !isRight(truth);
@@ -172,6 +174,7 @@ struct Tracked
     return result;
   }
 
+  bool isSearching;
   Scene scene{colorScenes::makeBox()};
   colorScenes::Paint paint;
   vpImage<vpRGBa> background;
@@ -368,6 +371,19 @@ TEST_CASE("An object that is lost again at once is looked for where it was seen 
     object.darken();
     checkReturn(object.comeBack(at(i + 12), 14));
   }
+}
+
+TEST_CASE("Lines like the edges of an object that was lost are not taken for it", "[recovery]")
+{
+  const colorScenes::Color board(150., 110., 70.);
+  Tracked object(true);
+  CHECK(object.darken() == 0);
+  object.paint.background = [&](double, double) { return board; };
+  object.paint.object = [&](const Eigen::Vector3d &X) {
+    const Eigen::Vector3d toSides = 0.5 * boxSize - X.cwiseAbs();
+    return (toSides.array() < 0.003).count() > 1 ? colorScenes::Color(10., 10., 10.) : board;
+  };
+  CHECK(object.comeBack(turned(180.), 40).confirmed == Tracked::never); // From a side that was not seen before.
 }
 
 TEST_CASE("Without a search it is not", "[recovery]")

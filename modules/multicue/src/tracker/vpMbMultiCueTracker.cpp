@@ -128,6 +128,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
   Impl &impl = *m_impl;
   impl.minimisations = 0;
+  impl.wasTracking = impl.state == vpTrackingState::TRACKING;
   impl.frameCamera = frame.camera();
   askDetector(frame);
   if (!resumeStart(frame)) {

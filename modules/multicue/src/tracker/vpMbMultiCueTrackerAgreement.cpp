@@ -30,6 +30,7 @@ const double leastReliability = 0.2; // Of a cue whose agreement comes and goes.
 // fully, since what does not have them is something else. What any pose has of the usual agreement with edges is
 // chance.
 const double besideEdges = 0.4;
+const double aboveEdges = 0.05; // That all cues together may have more of the usual than the edges.
 const double leastBesideEdges = 0.25;
 const double fixedVariance = 0.1 * 0.1;
 const double edgesByChance = 0.25;
@@ -134,6 +135,14 @@ double vpMbMultiCueTracker::Impl::weightBesideEdges(double variance) const
   return (leastBesideEdges + (1. - leastBesideEdges) * fixed * fixed) * reliability(variance);
 }
 
+// While the object is followed: all other cues were learnt at its poses, and agree with one that slid off unnoticed.
+double vpMbMultiCueTracker::mostBesideEdges() const
+{
+  const Impl &impl = *m_impl;
+  const bool tells = impl.uses(EDGE_TRACKER) && impl.usual.edges > Impl::leastUsual;
+  return tells && !impl.mustConfirm ? impl.agreement.edges / impl.usual.edges + aboveEdges : HUGE_VAL;
+}
+
 // How well the cues agree with the pose, each as a share of what it had in the trusted frames before. After a loss
 // points count only where there is nothing else: those of what hid the object agree with a wrong pose.
 double vpMbMultiCueTracker::explainedShare()
@@ -174,7 +183,7 @@ double vpMbMultiCueTracker::explainedShare()
     sum += points.sum;
     cues += points.cues;
   }
-  impl.share = {sum, cues};
+  impl.share = {sum, cues, mostBesideEdges()};
   return impl.explainedBy(impl.share, m_cMo);
 }
 

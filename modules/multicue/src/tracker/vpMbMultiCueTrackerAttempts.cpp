@@ -14,6 +14,11 @@ namespace {
 // Of what the trusted frames before had: from there on a pose is taken.
 const double wellExplained = 0.8;
 const double decisiveSurface = 0.7;
+// Of colours and surface together, how far they were steady, and what they have of the usual.
+const double leastSteadiness = 0.6;
+const double disowningShare = 0.25;
+// Penalty of a pose with so few edges that others are looked for.
+const double fewEdges = 0.2;
 const double contradictingSurface = 0.35;
 // Of a pose that is one deviation off the expected one; squared for those farther off.
 const double farPenalty = 0.03;
@@ -107,9 +112,10 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     // to the last trusted pose is likelier.
     const double unknown =
         unknownAfterLoss * vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
-    value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - changePenalty * impl.changeSince(m_cMo) -
-            impl.fewEdgesPenalty() - depthPenalty * impl.depthChange(m_cMo);
-    value = estimated ? impl.tracks.add(m_cMo, value, impl.sameTrack()) : value;
+    const double change = changePenalty * impl.changeSince(m_cMo);
+    value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - impl.fewEdgesPenalty() -
+            depthPenalty * impl.depthChange(m_cMo);
+    value = estimated ? impl.tracks.add(m_cMo, value, change, impl.sameTrack()) : value - change;
   }
   const Impl::Attempt attempt = {{share, value, surprise >= mostFar}, m_cMo, impl.share, impl.usesPoints};
   impl.bestIsLast = estimated && attempt.isBetterThan(impl.best, impl.mustConfirm);
@@ -130,6 +136,24 @@ bool vpMbMultiCueTracker::isContradicted() const
          impl.agreement.surface < contradictingSurface * impl.usual.surface;
 }
 
+// Colours and surface, where they were steady, have hardly anything at the pose of what they had: edges alone speak for
+// it.
+bool vpMbMultiCueTracker::isDisowned() const
+{
+  const Impl &impl = *m_impl;
+  double seen = 0.;
+  double steadiness = 0.;
+  const auto add = [&](double value, double usual, double variance, double share) {
+    if (usual > 0.) {
+      steadiness += impl.reliability(variance);
+      seen += impl.reliability(variance) * share * std::max(impl.countedShare(value, usual), 0.);
+    }
+  };
+  add(impl.agreement.color, impl.usual.color, impl.unsteadiness.color, 1.);
+  add(impl.agreement.surface, impl.usual.surface, impl.unsteadiness.surface, impl.agreement.surfaceWeight);
+  return steadiness > leastSteadiness && seen < disowningShare * steadiness;
+}
+
 // After a loss: no other pose looks like this one.
 bool vpMbMultiCueTracker::isDecisive() const
 {
@@ -140,7 +164,7 @@ bool vpMbMultiCueTracker::isDecisive() const
   if (impl.surface.texture() < Impl::leastTexture) {
     return impl.confirmations > 0;
   }
-  return impl.agreement.surfaceWeight > Impl::leastTexture &&
+  return impl.fewEdgesPenalty() < fewEdges && impl.agreement.surfaceWeight > Impl::leastTexture &&
          impl.agreement.surface > decisiveSurface * impl.usual.surface;
 }
 

@@ -77,7 +77,7 @@ double vpMbMultiCueTracker::Impl::explainedBy(const Share &cues, const vpHomogen
         mostOfAll * weight * cues.cues * std::min(1., static_cast<double>(keyframes.agreeing(cMo)) / mostAgreeing);
     all.cues += mostOfAll * weight * cues.cues;
   }
-  return all.cues > 0. ? all.sum / all.cues : 0.;
+  return all.cues > 0. ? std::min(all.sum / all.cues, cues.most) : 0.;
 }
 
 // Starts from what is seen again of the views before. \return True where the pose that it leads to is enough.

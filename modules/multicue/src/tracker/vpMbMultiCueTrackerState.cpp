@@ -13,6 +13,7 @@ namespace {
 // Frames on end that have to explain a pose after a loss.
 const unsigned int neededConfirmations = 3;
 const unsigned int usualConfirmations = 6;
+const unsigned int disownedConfirmations = 60; // Where edges alone speak for a pose.
 const unsigned int doubtfulConfirmations = 15; // Where the surface looks like that of another pose.
 // Frames on end in which no other pose came near, whatever is explained.
 const unsigned int neededAhead = 6;
@@ -23,7 +24,9 @@ const unsigned int mostOutside = 3;
 const unsigned int mostDoubtful = 30;
 const unsigned int mostDoubtfulByEdges = 3; // Edges alone lead from one wrong pose to the next.
 const double leastInside = 0.3;             // Share of the outline that is in the image.
-const double trustedBelief = 0.7;
+// TRACKING is said from the one on, and as long as the other is not fallen short of.
+const double trustedBelief = 0.85;
+const double keptBelief = 0.7;
 // A pose that is believed less than this for so many frames on end is lost: others farther off are looked for while the
 // object is still near.
 const double leastBelief = 0.6;
@@ -116,7 +119,8 @@ void vpMbMultiCueTracker::believe()
   if (impl.searches && impl.disbelievedFrames >= mostDisbelieved) {
     impl.noteLoss();
   }
-  const bool isBelieved = !impl.searches || impl.belief.probability() >= trustedBelief;
+  const double needed = impl.wasTracking ? keptBelief : trustedBelief;
+  const bool isBelieved = !impl.searches || impl.belief.probability() >= needed;
   if (impl.state == vpTrackingState::TRACKING && !isBelieved) {
     impl.state = vpTrackingState::UNCERTAIN;
     impl.outcome = vpMbTrackingResult::Reason::CONFIRMING;
@@ -164,6 +168,11 @@ bool vpMbMultiCueTracker::isConfirmed(double inside) const
   const bool hasTexture = impl.type != EDGE_TRACKER && impl.surface.texture() > Impl::leastTexture;
   if (!impl.tracks.isCompared() || (isElsewhere && !(hasTexture && isDecisive()))) {
     return false;
+  }
+  // Of two poses that only show sides which were never seen, nothing tells the right one until another side is seen.
+  const bool isUnknown = hasTexture && impl.agreement.surfaceWeight < Impl::leastTexture;
+  if (isDisowned() || (isUnknown && impl.tracks.isContested())) {
+    return impl.confirmations >= disownedConfirmations;
   }
   if (inside >= Impl::insideToConfirm && impl.tracks.ahead() >= neededAhead) {
     return true;

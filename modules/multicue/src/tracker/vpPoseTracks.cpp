@@ -73,7 +73,7 @@ std::size_t vpPoseTracks::indexOf(const vpHomogeneousMatrix &cMo, const Same &is
   return found == m_tracks.end() ? none : static_cast<std::size_t>(found - m_tracks.begin());
 }
 
-double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame)
+double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame)
 {
   std::size_t index = m_followed != none ? m_followed : indexOf(cMo, isSame);
   if (index == none) {
@@ -81,12 +81,15 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, const Sam
     m_tracks.push_back(found(cMo));
   }
   Track &track = m_tracks[index];
+  const double least = isSame(track.cMo, cMo) ? std::min(track.change, change) : change; // Else it jumped.
+  value -= least;
   if (!track.isSeen) {
     track.before = track.cMo;
   }
   if (!track.isSeen || value > track.value) {
     track.cMo = cMo;
     track.value = value;
+    track.change = least;
     track.isSeen = true;
   }
   return standing(meanWith(track, value), grown(track.frames));

@@ -6,6 +6,7 @@
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -42,6 +43,7 @@ public:
     double mean = 0.;           //!< Of the frames before.
     double frames = 0.;         //!< That it is the mean of.
     double value = 0.;          //!< In this frame.
+    double change = HUGE_VAL;   //!< Least penalty for how far it is from where the object was.
     bool isSeen = false;
     vpPoseBelief belief;
     unsigned int confirmations = 0; //!< Frames on end that explained it.
@@ -65,8 +67,12 @@ public:
   //! What the attempts of this frame that started from the followed track explain; less than any pose where there is
   //! none.
   double followedValue() const;
-  //! A pose that was estimated in this frame, with what it explains. \return What to compare it by.
-  double add(const vpHomogeneousMatrix &cMo, double value, const Same &isSame);
+  /*!
+    A pose that was estimated in this frame. \return What to compare it by.
+    \param value What it explains. \param change Penalty for how far it is from where the object was: of a pose that is
+    followed, the least one counts, as it moves with the object.
+  */
+  double add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame);
   //! Other poses were looked for in all of this image.
   void noteSearch() { m_hasSearched = m_hasOthers = true; }
   //! Other poses were looked for, as far as there was time for it.
