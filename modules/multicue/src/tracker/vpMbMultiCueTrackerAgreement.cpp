@@ -136,11 +136,10 @@ double vpMbMultiCueTracker::Impl::weightBesideEdges(double variance) const
 }
 
 // While the object is followed: all other cues were learnt at its poses, and agree with one that slid off unnoticed.
-double vpMbMultiCueTracker::mostBesideEdges() const
+double vpMbMultiCueTracker::Impl::mostBesideEdges() const
 {
-  const Impl &impl = *m_impl;
-  const bool tells = impl.uses(EDGE_TRACKER) && impl.usual.edges > Impl::leastUsual;
-  return tells && !impl.mustConfirm ? impl.agreement.edges / impl.usual.edges + aboveEdges : HUGE_VAL;
+  const bool tells = uses(EDGE_TRACKER) && usual.edges > leastUsual;
+  return tells && !mustConfirm ? agreement.edges / usual.edges + aboveEdges : HUGE_VAL;
 }
 
 // How well the cues agree with the pose, each as a share of what it had in the trusted frames before. After a loss
@@ -183,7 +182,7 @@ double vpMbMultiCueTracker::explainedShare()
     sum += points.sum;
     cues += points.cues;
   }
-  impl.share = {sum, cues, mostBesideEdges()};
+  impl.share = {sum, cues, impl.mostBesideEdges()};
   return impl.explainedBy(impl.share, m_cMo);
 }
 

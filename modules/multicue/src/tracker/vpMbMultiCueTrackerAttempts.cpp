@@ -138,19 +138,19 @@ bool vpMbMultiCueTracker::isContradicted() const
 
 // Colours and surface, where they were steady, have hardly anything at the pose of what they had: edges alone speak for
 // it.
-bool vpMbMultiCueTracker::isDisowned() const
+bool vpMbMultiCueTracker::Impl::isDisowned() const
 {
-  const Impl &impl = *m_impl;
   double seen = 0.;
   double steadiness = 0.;
-  const auto add = [&](double value, double usual, double variance, double share) {
-    if (usual > 0.) {
-      steadiness += impl.reliability(variance);
-      seen += impl.reliability(variance) * share * std::max(impl.countedShare(value, usual), 0.);
+  const auto add = [&](double value, double usualValue, double variance, double share) {
+    if (usualValue > 0.) {
+      const double weight = reliability(variance);
+      steadiness += weight;
+      seen += weight * share * std::max(countedShare(value, usualValue), 0.);
     }
   };
-  add(impl.agreement.color, impl.usual.color, impl.unsteadiness.color, 1.);
-  add(impl.agreement.surface, impl.usual.surface, impl.unsteadiness.surface, impl.agreement.surfaceWeight);
+  add(agreement.color, usual.color, unsteadiness.color, 1.);
+  add(agreement.surface, usual.surface, unsteadiness.surface, agreement.surfaceWeight);
   return steadiness > leastSteadiness && seen < disowningShare * steadiness;
 }
 

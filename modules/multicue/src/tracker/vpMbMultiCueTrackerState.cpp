@@ -171,7 +171,7 @@ bool vpMbMultiCueTracker::isConfirmed(double inside) const
   }
   // Of two poses that only show sides which were never seen, nothing tells the right one until another side is seen.
   const bool isUnknown = hasTexture && impl.agreement.surfaceWeight < Impl::leastTexture;
-  if (isDisowned() || (isUnknown && impl.tracks.isContested())) {
+  if (impl.isDisowned() || (isUnknown && impl.tracks.isContested())) {
     return impl.confirmations >= disownedConfirmations;
   }
   if (inside >= Impl::insideToConfirm && impl.tracks.ahead() >= neededAhead) {

@@ -96,6 +96,10 @@ public:
   static double reliability(double variance);
   //! How much colours and surface count.
   double weightBesideEdges(double variance) const;
+  //! What a pose may explain at most, by what the edges have there.
+  double mostBesideEdges() const;
+  //! True where edges alone speak for a pose.
+  bool isDisowned() const;
   //! Share of the object's outline at a pose that is in the image.
   double insideShare(const vpHomogeneousMatrix &cMo);
   //! Tells poseScore how much each cue counts. \param byEdges In a search in which others are hardly trusted.

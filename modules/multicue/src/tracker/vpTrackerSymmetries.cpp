@@ -106,12 +106,10 @@ vpPoseMatrix6 vpTrackerSymmetries::settled(const vpPoseMatrix6 &covariance, cons
 
 void vpTrackerSymmetries::measure(const vpTrackedModel &model)
 {
-  const bool isKnown = !m_known.axes().empty();
   m_turns = vpModelSymmetries();
-  for (const vpSymmetryAxis &axis : isKnown ? m_known.axes() : m_shape.axes()) {
+  for (const vpSymmetryAxis &axis : m_known.axes().empty() ? m_shape.axes() : m_known.axes()) {
     m_turns.addAxis(axis);
   }
-  m_printShowsTurns = !isKnown && m_isPrinted;
   if (!hasAxis()) {
     return;
   }

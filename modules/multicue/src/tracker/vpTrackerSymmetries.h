@@ -48,7 +48,7 @@ public:
   //! True where turns about an axis leave the outline as it is: one that is known, or else one of the model's shape.
   bool hasAxis() const { return !m_turns.axes().empty(); }
   //! True where the model's colours are not the same all around such an axis, and none was declared.
-  bool printShowsTurns() const { return m_printShowsTurns; }
+  bool printShowsTurns() const { return m_known.axes().empty() && m_isPrinted; }
   //! A pose with the turn about the axes, where there are any, that is nearest to another pose's.
   vpHomogeneousMatrix unturned(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &reference,
                                const vpTrackedModel &model) const;
@@ -70,7 +70,6 @@ private:
   vpModelSymmetries m_shape; // Of the model without its colours: axes alone count.
   bool m_isPrinted = false;  // And its colours have none of these.
   vpModelSymmetries m_turns; // The axes that count.
-  bool m_printShowsTurns = false;
   vpPoseMatrix6 m_visible = vpPoseMatrix6::Identity();
   std::string m_from;
   unsigned int m_object = 0;

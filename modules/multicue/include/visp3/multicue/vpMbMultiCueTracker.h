@@ -403,8 +403,6 @@ private:
   void tryTurns(const vpCueFrame &frame);
   bool isDecisive() const;
   bool isContradicted() const;
-  bool isDisowned() const;
-  double mostBesideEdges() const;
   bool attemptFrom(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, bool byColors = true);
   bool attemptBest(const vpCueFrame &frame, vpPoseSearch &search, bool byColors = true);
   void searchNear(const vpCueFrame &frame);
