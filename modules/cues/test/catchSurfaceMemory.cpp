@@ -223,6 +223,9 @@ TEST_CASE("The memory goes back to what it knew before", "[surface-memory]")
   box.learnAt(truth);
   box.show(I);
   REQUIRE(box.correlation(truth) < correlation - 0.2);
+  const double now = box.correlation(truth);
+  CHECK(box.memory.agreement(truth, before).correlation == correlation);
+  CHECK(box.correlation(truth) == now); // Asking changes nothing.
   box.memory.setReference(before);
   CHECK(box.correlation(truth) == correlation);
 
@@ -232,10 +235,12 @@ TEST_CASE("The memory goes back to what it knew before", "[surface-memory]")
   gray.memory.learn(truth, nullptr);
   const double texture = gray.memory.texture();
   CHECK(texture > 0.);
+  CHECK(gray.memory.agreement(truth, before).known == 0.);
   gray.memory.setReference(before);
   CHECK(gray.memory.texture() == texture);
   CHECK(gray.memory.reference().channels == 1);
   gray.memory.setSamples(vpSampleSurface(colorScenes::makeBox(), 20));
+  CHECK(gray.memory.agreement(truth, before).known == 0.);
   gray.memory.setReference(before);
   CHECK(gray.memory.reference().weights.size() != before.weights.size());
 }

@@ -78,3 +78,15 @@ TEST_CASE("A model without a surface has the half turns about its frame's axes",
   REQUIRE(nearer);
   CHECK((vpPoseExponential::toEigen(*nearer).matrix() - vpPoseExponential::toEigen(expected).matrix()).norm() < 1e-9);
 }
+
+TEST_CASE("All half turns of a pose are about its middle", "[half-turns]")
+{
+  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(expected);
+  const std::vector<vpHomogeneousMatrix> all = halfTurnsOf(turnedBox(Eigen::Matrix3d::Identity())).turned(expected);
+  REQUIRE(all.size() >= 3);
+  for (const vpHomogeneousMatrix &cMo : all) {
+    const Eigen::Isometry3d other = vpPoseExponential::toEigen(cMo);
+    CHECK(Eigen::AngleAxisd(pose.linear().transpose() * other.linear()).angle() == Approx(M_PI));
+    CHECK((other * centre - pose * centre).norm() < 1e-9);
+  }
+}

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpPastKnowledge.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <catchMain.h>
 
 namespace {
@@ -31,6 +34,32 @@ std::vector<unsigned long> allOf(Past &past)
   return frames;
 }
 } // namespace
+
+TEST_CASE("Of what was learnt, the newest is forgotten as far as it is wrong", "[past-knowledge]")
+{
+  Past past;
+  learn(past, 1, 100);
+  past.dropNewest([](unsigned long frame) { return frame > 50; });
+  CHECK(recalled(past, 0) > 0);
+  CHECK(recalled(past, 0) <= 50);
+  std::vector<unsigned long> old;
+  past.forEachOld([&old](unsigned long frame) { old.push_back(frame); });
+  std::vector<unsigned long> all = allOf(past);
+  std::sort(all.begin(), all.end());
+  CHECK(old == all);
+  past.dropNewest([](unsigned long) { return true; });
+  CHECK(past.size() == 0);
+  CHECK(past.recall(1) == nullptr);
+}
+
+TEST_CASE("What was learnt just now is not old", "[past-knowledge]")
+{
+  Past past;
+  unsigned long newest = 0;
+  learn(past, 1, 2 * Past::interval + 1);
+  past.forEachOld([&newest](unsigned long frame) { newest = frame; });
+  CHECK(newest == 1 + Past::interval);
+}
 
 TEST_CASE("What one frame told is no better than what all of them did", "[past-knowledge]")
 {

@@ -264,3 +264,14 @@ TEST_CASE("What the followed pose explains is known once it was looked at in a f
   tracks.followNone();
   CHECK_FALSE(tracks.followedValue() > -1.);
 }
+
+TEST_CASE("A pose that was worse before it settled contests the first one", "[pose-tracks]")
+{
+  vpPoseTracks tracks;
+  frame(tracks, {{0., 0.9}, {1., 0.5}});
+  frame(tracks, {{0., 0.9}, {1., 0.6}});
+  CHECK_FALSE(tracks.isContested());
+  frame(tracks, {{0., 0.9}, {1., 0.9}});
+  CHECK(tracks.chosen().cMo[0][3] == 0.);
+  CHECK(tracks.isContested());
+}

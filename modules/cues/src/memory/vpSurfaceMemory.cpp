@@ -110,27 +110,30 @@ void vpSurfaceMemory::setFrame(const vpCueFrame &frame)
 }
 
 template <typename Sums, typename Visible>
-void vpSurfaceMemory::sumUp(vpPlaceProjection &projection, Sums &sums, Visible isVisible) const
+void vpSurfaceMemory::sumUp(vpPlaceProjection &projection, const Reference &known, Sums &sums, Visible isVisible) const
 {
-  projection.forEachSeen(m_places.data(), m_known.weights.size(), [&](const vpSeenPlace &place) {
+  projection.forEachSeen(m_places.data(), known.weights.size(), [&](const vpSeenPlace &place) {
     if (!isVisible(place)) {
       return;
     }
     vpPatchSums &patch = sums[m_patches[place.number]];
     ++patch.seen;
-    if (m_known.weights[place.number] > 0.F) {
+    if (known.weights[place.number] > 0.F) {
       const std::uint8_t *pixel = pixelOf(m_pixels, place);
       const float color[3] = {static_cast<float>(pixel[0]), static_cast<float>(pixel[1]), static_cast<float>(pixel[2])};
-      patch.add(m_known.shades[place.number], vpShadeOf(color, m_known.channels), m_known.middle);
+      patch.add(known.shades[place.number], vpShadeOf(color, known.channels), known.middle);
     }
   });
 }
 
-vpSurfaceMemory::Agreement vpSurfaceMemory::agreement(const vpHomogeneousMatrix &cMo) const
+vpSurfaceMemory::Agreement vpSurfaceMemory::agreement(const vpHomogeneousMatrix &cMo, const Reference &reference) const
 {
+  if (reference.weights.size() != m_known.weights.size() || reference.channels != m_known.channels) {
+    return {};
+  }
   vpPlaceProjection projection(cMo, m_camera, m_width, m_height);
   std::array<vpPatchSums, patches> sums;
-  sumUp(projection, sums, [](const vpSeenPlace &) { return true; });
+  sumUp(projection, reference, sums, [](const vpSeenPlace &) { return true; });
   double seen = 0.;
   double known = 0.;
   double weight = 0.;
@@ -172,7 +175,7 @@ void vpSurfaceMemory::learn(const vpHomogeneousMatrix &cMo, const vpRenderedView
     return place.facing >= leastFacingLearnt && !isHidden(place, depth);
   };
   std::array<vpPatchSums, patches> sums;
-  sumUp(projection, sums, isVisible);
+  sumUp(projection, m_known, sums, isVisible);
   std::array<bool, patches> contradicts;
   std::transform(sums.begin(), sums.end(), contradicts.begin(), [](const vpPatchSums &patch) {
     return isKnown(patch) && textureOf(patch) > 0.5F && patch.correlation() < leastCorrelation;

@@ -55,22 +55,30 @@ void vpHalfTurns::setModel(const vpTrackedModel &model, const std::vector<vpSurf
   }
 }
 
+std::vector<vpHomogeneousMatrix> vpHalfTurns::turned(const vpHomogeneousMatrix &cMo) const
+{
+  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
+  const Eigen::Vector3d at = pose * m_centre;
+  std::vector<vpHomogeneousMatrix> poses;
+  for (const Eigen::Matrix3d &turn : m_turns) {
+    Eigen::Isometry3d turned = pose;
+    turned.linear() = pose.linear() * turn;
+    turned.translation() = at - turned.linear() * m_centre;
+    poses.push_back(vpPoseExponential::fromEigen(turned));
+  }
+  return poses;
+}
+
 std::optional<vpHomogeneousMatrix> vpHalfTurns::nearer(const vpHomogeneousMatrix &cMo,
                                                        const std::vector<vpHomogeneousMatrix> &expected) const
 {
-  Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
-  const Eigen::Matrix3d rotation = pose.linear();
-  const Eigen::Vector3d at = pose * m_centre;
   std::optional<vpHomogeneousMatrix> found;
-  double least = leastAngle(rotation, expected) - muchNearer;
-  for (const Eigen::Matrix3d &turn : m_turns) {
-    const Eigen::Matrix3d turned = rotation * turn;
-    const double angle = leastAngle(turned, expected);
+  double least = leastAngle(vpPoseExponential::toEigen(cMo).linear(), expected) - muchNearer;
+  for (const vpHomogeneousMatrix &pose : turned(cMo)) {
+    const double angle = leastAngle(vpPoseExponential::toEigen(pose).linear(), expected);
     if (angle < least) {
       least = angle;
-      pose.linear() = turned;
-      pose.translation() = at - turned * m_centre;
-      found = vpPoseExponential::fromEigen(pose);
+      found = pose;
     }
   }
   return found;

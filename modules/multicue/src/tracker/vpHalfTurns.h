@@ -25,6 +25,9 @@ public:
   std::optional<vpHomogeneousMatrix> nearer(const vpHomogeneousMatrix &cMo,
                                             const std::vector<vpHomogeneousMatrix> &expected) const;
 
+  // The pose turned by half about each of the axes.
+  std::vector<vpHomogeneousMatrix> turned(const vpHomogeneousMatrix &cMo) const;
+
 private:
   Eigen::Vector3d m_centre = Eigen::Vector3d::Zero();
   std::vector<Eigen::Matrix3d> m_turns;

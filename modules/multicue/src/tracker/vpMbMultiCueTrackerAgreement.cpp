@@ -170,6 +170,8 @@ double vpMbMultiCueTracker::explainedShare()
   agreement.surface = surface.correlation;
   agreement.surfaceKnown = surface.known;
   agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
+  agreement.isContradicted =
+      impl.mustConfirm && impl.usual.surface > 0. && impl.isContradictedBy(surface, impl.turnSince(m_cMo));
   if (impl.usual.surface > 0.) {
     add(impl.countedShare(std::max(surface.correlation, 0.), impl.usual.surface),
         agreement.surfaceWeight * impl.weightBesideEdges(impl.unsteadiness.surface));

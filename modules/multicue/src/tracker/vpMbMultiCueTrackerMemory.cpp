@@ -44,6 +44,7 @@ void vpMbMultiCueTracker::Impl::noteFound()
   if (trustedBefore) {
     past.settle();
   }
+  startProof();
   forgetMotion();
 }
 
@@ -55,7 +56,8 @@ void vpMbMultiCueTracker::Impl::keepLearnt()
   }
   lastExplained = time;
   if (past.count()) {
-    past.keep(std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, trusted}));
+    learnTurnEffect();
+    past.keep(std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, trusted, period}));
   }
 }
 
@@ -79,7 +81,14 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
 {
   ++framesSinceLoss;
   const std::optional<unsigned int> level = levelToRecall();
+  const bool isUnproven = framesSinceLoss == 1 && proof.known;
+  if (isUnproven) { // What was learnt since then may be of a wrong pose.
+    past.dropNewest([this](const std::shared_ptr<const Learnt> &learnt) { return learnt->period == period; });
+  }
   const std::shared_ptr<const Learnt> *recalled = level ? past.recall(*level) : nullptr;
+  if (recalled == nullptr && isUnproven) {
+    recalled = &proof.known;
+  }
   if (recalled == nullptr) {
     return;
   }
@@ -110,6 +119,9 @@ std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::Impl::whereabouts() const
 {
   const std::array<vpHomogeneousMatrix, 3> last = whereaboutsOf(trusted);
   std::vector<vpHomogeneousMatrix> poses(last.begin(), last.end());
+  if (proof.hasFailed) { // The pose was mistaken for one that looks much alike.
+    poses = halfTurns.turned(trusted.cMo);
+  }
   if (trustedBefore) {
     const std::array<vpHomogeneousMatrix, 3> before = whereaboutsOf(*trustedBefore);
     poses.insert(poses.end(), before.begin(), before.end());

@@ -135,6 +135,12 @@ void vpMbMultiCueTracker::confirmState()
     impl.noteLoss();
     return;
   }
+  if (!impl.mustConfirm && impl.isDisproved(m_cMo)) {
+    impl.confirmations = 0;
+    impl.noteLoss();
+    impl.state = vpTrackingState::LOST;
+    return;
+  }
   const double inside = impl.insideShare(m_cMo);
   const unsigned int mostDoubt = impl.comparesAttempts() ? mostDoubtful : mostDoubtfulByEdges;
   const bool isExplained = impl.state == vpTrackingState::TRACKING;
@@ -171,7 +177,7 @@ bool vpMbMultiCueTracker::isConfirmed(double inside) const
   }
   // Of two poses that only show sides which were never seen, nothing tells the right one until another side is seen.
   const bool isUnknown = hasTexture && impl.agreement.surfaceWeight < Impl::leastTexture;
-  if (impl.isDisowned() || (isUnknown && impl.tracks.isContested())) {
+  if (impl.isDisowned() || impl.agreement.isContradicted || (isUnknown && impl.tracks.isContested())) {
     return impl.confirmations >= disownedConfirmations;
   }
   if (inside >= Impl::insideToConfirm && impl.tracks.ahead() >= neededAhead) {

@@ -67,6 +67,22 @@ public:
     m_recalled = states - 1 - level % states;
     return &m_states[m_recalled].known;
   }
+  //! Forgets the newest ones of which this is true.
+  template <typename Predicate> void dropNewest(Predicate isWrong)
+  {
+    while (!m_states.empty() && isWrong(m_states.back().known)) {
+      m_states.pop_back();
+    }
+  }
+  //! All that is kept and old enough, the oldest first.
+  template <typename Function> void forEachOld(Function look) const
+  {
+    for (const State &state : m_states) {
+      if (m_frames - state.frame >= interval) {
+        look(state.known);
+      }
+    }
+  }
   //! What was recalled last was right: forgets what is newer, and counts anew.
   void settle()
   {

@@ -165,7 +165,11 @@ bool vpPoseTracks::isCompared() const
 
 bool vpPoseTracks::isContested() const
 {
-  return m_tracks.size() > 1 && m_tracks[1].frames > 1. && m_tracks[1].mean > m_tracks.front().mean - contestedMargin;
+  if (m_tracks.size() < 2 || !(m_tracks[1].frames > 1.)) {
+    return false;
+  }
+  const Track &other = m_tracks[1]; // Its first frames may have been worse, before it settled.
+  return std::max(other.mean, other.value) > m_tracks.front().mean - contestedMargin;
 }
 
 END_VISP_NAMESPACE

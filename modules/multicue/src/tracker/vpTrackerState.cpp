@@ -223,6 +223,10 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   tracks.clear();
   mustConfirm = false;
   past.clear();
+  proof = Proof();
+  turnEffect.reset();
+  turns = 0;
+  period = 0;
   lastExplained = time;
   wasSudden = false;
   wasFound = false;

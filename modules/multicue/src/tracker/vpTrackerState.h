@@ -19,6 +19,7 @@
 #include "tracker/vpSearchBudget.h"
 #include "tracker/vpTextureSupport.h"
 #include "tracker/vpTrackerSymmetries.h"
+#include "tracker/vpTurnEffect.h"
 
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
@@ -44,6 +45,8 @@ struct vpMbMultiCueTracker::Agreement
   double surface = 0.;
   double surfaceKnown = 0.;  //!< Share of it that is remembered.
   double surfaceWeight = 0.; //!< Share of it that is remembered and tells poses apart.
+  //! After a loss: the surface looks so different that the pose can hardly be right.
+  bool isContradicted = false;
 };
 
 //! Everything behind vpMbMultiCueTracker that vpMbTracker does not hold.
@@ -297,6 +300,7 @@ public:
     vpSurfaceMemory::Reference surface;
     Agreement usual;
     Trusted trusted;
+    unsigned int period = 0; //!< See below.
   };
   void noteLoss();
   void noteFound();
@@ -304,6 +308,29 @@ public:
   std::optional<unsigned int> levelToRecall() const;
   void recallLearnt();
   vpPastKnowledge<std::shared_ptr<const Learnt>> past;
+  unsigned int period = 0; // How often the object was found again.
+  vpTurnEffect turnEffect; // On the surface.
+  std::size_t turns = 0;   // That it was learnt from.
+  void learnTurnEffect();
+  //! How far the object is turned from where it was seen before the loss, radians.
+  double turnSince(const vpHomogeneousMatrix &cMo) const;
+  //! True where the surface differs so much from what is known of it that the pose can hardly be right. \param turn
+  //! Since that was learnt, radians.
+  bool isContradictedBy(const vpSurfaceMemory::Agreement &seen, double turn) const;
+  //! Whether the pose where the object was found again is right: it may have shown sides that were never seen, and
+  //! turn to others.
+  struct Proof
+  {
+    std::shared_ptr<const Learnt> known; //!< Before it was found; null where there is nothing to prove.
+    unsigned int agreeing = 0;           //!< Frames in which what was known agreed with the image.
+    unsigned int undecided = 0;          //!< In which it could not have told.
+    unsigned int contradictions = 0;     //!< In which it did not agree, on end.
+    bool hasFailed = false;              //!< The object was lost for that.
+  };
+  Proof proof;
+  void startProof();
+  //! \return True where the pose that is followed turned out to be wrong.
+  bool isDisproved(const vpHomogeneousMatrix &cMo);
   double lastExplained = 0.;            // When a trusted frame was explained well.
   bool wasSudden = false;               // The last loss.
   std::optional<Trusted> trustedBefore; // Of what was recalled, while what was trusted since may be something else.

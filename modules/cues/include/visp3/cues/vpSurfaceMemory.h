@@ -40,6 +40,17 @@ public:
     double texture = 0.;     //!< How much these tell, [0, 1]: 0 for a surface of one colour.
   };
 
+  //! What is remembered.
+  struct Reference
+  {
+    std::vector<float> weights;               //!< Of each place: 0 where it was never seen, rising to 1.
+    std::vector<std::array<float, 4>> colors; //!< Gray levels.
+    std::vector<std::array<float, 4>> shades; //!< The same as patches are compared by.
+    std::array<float, 4> middle{};            //!< Mean of the shades.
+    double texture = 0.;                      //!< See texture().
+    unsigned int channels = 3;                //!< Of the images: 1 or 3.
+  };
+
   //! Forgets everything. \param samples Places on the surface, see vpSampleSurface().
   void setSamples(const std::vector<vpSurfaceSample> &samples);
   //! Forgets the colours.
@@ -55,7 +66,10 @@ public:
   */
   void setFrame(const vpCueFrame &frame);
   //! \param cMo Any pose, one behind the camera included: nothing is in view there. \pre setFrame()
-  Agreement agreement(const vpHomogeneousMatrix &cMo) const;
+  Agreement agreement(const vpHomogeneousMatrix &cMo) const { return agreement(cMo, m_known); }
+  //! The same with what was remembered another time. \return Nothing in view where that is of other places, or of gray
+  //! images and the last one had colour, or the other way round.
+  Agreement agreement(const vpHomogeneousMatrix &cMo, const Reference &reference) const;
   /*!
     Mixes what the image shows into what is remembered, 15 % of it. A patch that contradicts the memory is not learnt,
     as something may be in front of the object; after some 35 frames of that it is forgotten. \param cMo A trusted pose.
@@ -65,16 +79,6 @@ public:
   */
   void learn(const vpHomogeneousMatrix &cMo, const vpRenderedView *depth);
 
-  //! What is remembered.
-  struct Reference
-  {
-    std::vector<float> weights;               //!< Of each place: 0 where it was never seen, rising to 1.
-    std::vector<std::array<float, 4>> colors; //!< Gray levels.
-    std::vector<std::array<float, 4>> shades; //!< The same as patches are compared by.
-    std::array<float, 4> middle{};            //!< Mean of the shades.
-    double texture = 0.;                      //!< See texture().
-    unsigned int channels = 3;                //!< Of the images: 1 or 3.
-  };
   const Reference &reference() const { return m_known; }
   //! Goes back to what was known before. Nothing happens where that was told of other places, or by gray images and the
   //! last one had colour, or the other way round.
@@ -84,7 +88,7 @@ private:
   static constexpr std::size_t patches = 48;
 
   template <typename Sums, typename Visible>
-  void sumUp(vpPlaceProjection &projection, Sums &sums, Visible isVisible) const;
+  void sumUp(vpPlaceProjection &projection, const Reference &known, Sums &sums, Visible isVisible) const;
   void mix(const vpSeenPlace &place);
   void summarise();
 
