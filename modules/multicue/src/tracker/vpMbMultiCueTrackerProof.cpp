@@ -53,6 +53,9 @@ bool vpMbMultiCueTracker::Impl::isContradictedBy(const vpSurfaceMemory::Agreemen
 // In a frame whose pose is trusted, from what was learnt at another orientation; one at a time, to save time.
 void vpMbMultiCueTracker::Impl::learnTurnEffect()
 {
+  if (surface.texture() < leastTexture) {
+    return;
+  }
   std::vector<std::pair<double, const Learnt *>> turned;
   past.forEachOld([&](const std::shared_ptr<const Learnt> &learnt) {
     const double angle = angleBetween(learnt->trusted.cMo, trusted.cMo);

@@ -95,7 +95,8 @@ void vpMbMultiCueTracker::confirm()
   const vpTrackingState stateBefore = impl.state;
   confirmState();
   if (impl.state != stateBefore) {
-    impl.outcome = vpMbTrackingResult::Reason::CONFIRMING;
+    impl.outcome = impl.state == vpTrackingState::LOST ? vpMbTrackingResult::Reason::CONTRADICTED
+                                                       : vpMbTrackingResult::Reason::CONFIRMING;
   }
 }
 
