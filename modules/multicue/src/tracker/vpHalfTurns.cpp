@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpHalfTurns.h"
 
-#include <visp3/se3/vpPoseExponential.h>
+#include "tracker/vpTurnBetween.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +18,11 @@ Eigen::Matrix3d halfTurn(const Eigen::Vector3d &axis)
   return 2. * axis * axis.transpose() - Eigen::Matrix3d::Identity();
 }
 
-double leastAngle(const Eigen::Matrix3d &rotation, const std::vector<vpHomogeneousMatrix> &expected)
+double leastAngle(const vpHomogeneousMatrix &cMo, const std::vector<vpHomogeneousMatrix> &expected)
 {
   double least = HUGE_VAL;
   for (const vpHomogeneousMatrix &pose : expected) {
-    const Eigen::Matrix3d other = vpPoseExponential::toEigen(pose).linear();
-    least = std::min(least, Eigen::AngleAxisd(other.transpose() * rotation).angle());
+    least = std::min(least, vpTurnBetween(pose, cMo));
   }
   return least;
 }
@@ -73,9 +71,9 @@ std::optional<vpHomogeneousMatrix> vpHalfTurns::nearer(const vpHomogeneousMatrix
                                                        const std::vector<vpHomogeneousMatrix> &expected) const
 {
   std::optional<vpHomogeneousMatrix> found;
-  double least = leastAngle(vpPoseExponential::toEigen(cMo).linear(), expected) - muchNearer;
+  double least = leastAngle(cMo, expected) - muchNearer;
   for (const vpHomogeneousMatrix &pose : turned(cMo)) {
-    const double angle = leastAngle(vpPoseExponential::toEigen(pose).linear(), expected);
+    const double angle = leastAngle(pose, expected);
     if (angle < least) {
       least = angle;
       found = pose;

@@ -169,9 +169,9 @@ double vpMbMultiCueTracker::explainedShare()
   const vpSurfaceMemory::Agreement surface = impl.surface.agreement(m_cMo);
   agreement.surface = surface.correlation;
   agreement.surfaceKnown = surface.known;
-  agreement.surfaceWeight = vpSurfaceTrust(surface.texture) * surface.known;
-  agreement.isContradicted =
-      impl.mustConfirm && impl.usual.surface > 0. && impl.isContradictedBy(surface, impl.turnSince(m_cMo));
+  agreement.surfaceWeight = impl.weightOf(surface);
+  agreement.isRefuted = impl.mustConfirm && impl.usual.surface > 0. &&
+                        impl.isRefutedBy(surface, impl.surfaceVariance(impl.turnSince(m_cMo)));
   if (impl.usual.surface > 0.) {
     add(impl.countedShare(std::max(surface.correlation, 0.), impl.usual.surface),
         agreement.surfaceWeight * impl.weightBesideEdges(impl.unsteadiness.surface));

@@ -2,6 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpTrackerState.h"
+#include "tracker/vpTurnBetween.h"
 
 #include <Eigen/Geometry>
 
@@ -75,9 +76,8 @@ double vpMbMultiCueTracker::Impl::changeSince(const vpHomogeneousMatrix &cMo) co
   const double unlikely = unlikelyTurn / (1. + gap * gap);
   const auto changeFrom = [&](const vpHomogeneousMatrix &pose) {
     const Eigen::Isometry3d before = vpPoseExponential::toEigen(pose);
-    const Eigen::Matrix3d turn = before.linear().transpose() * now.linear();
     const double shift = (now * centre - before * centre).norm() / (2. * model->diameter());
-    return changeOfTurn(Eigen::AngleAxisd(turn).angle(), unlikely) + std::min(shift, mostShift);
+    return changeOfTurn(vpTurnBetween(pose, cMo), unlikely) + std::min(shift, mostShift);
   };
   double least = HUGE_VAL;
   for (const vpHomogeneousMatrix &pose : whereabouts()) {
@@ -130,7 +130,7 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
         unknownAfterLoss * vpSurfaceTrust(impl.surface.texture()) * (1. - impl.agreement.surfaceKnown);
     const double change = changePenalty * impl.changeSince(m_cMo);
     value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - impl.fewEdgesPenalty() -
-            depthPenalty * impl.depthChange(m_cMo) - (impl.agreement.isContradicted ? contradictionPenalty : 0.);
+            depthPenalty * impl.depthChange(m_cMo) - (impl.agreement.isRefuted ? contradictionPenalty : 0.);
     value = estimated ? impl.tracks.add(m_cMo, value, change, impl.sameTrack()) : value - change;
   }
   const Impl::Attempt attempt = {{share, value, surprise >= mostFar}, m_cMo, impl.share, impl.usesPoints};

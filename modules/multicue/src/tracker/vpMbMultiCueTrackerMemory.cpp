@@ -117,10 +117,12 @@ std::array<vpHomogeneousMatrix, 3> vpMbMultiCueTracker::Impl::whereaboutsOf(cons
 
 std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::Impl::whereabouts() const
 {
-  const std::array<vpHomogeneousMatrix, 3> last = whereaboutsOf(trusted);
-  std::vector<vpHomogeneousMatrix> poses(last.begin(), last.end());
-  if (proof.hasFailed) { // The pose was mistaken for one that looks much alike.
+  std::vector<vpHomogeneousMatrix> poses;
+  if (proof.hasFailed) { // The last pose was mistaken for one that looks much alike.
     poses = halfTurns.turned(trusted.cMo);
+  } else {
+    const std::array<vpHomogeneousMatrix, 3> last = whereaboutsOf(trusted);
+    poses.assign(last.begin(), last.end());
   }
   if (trustedBefore) {
     const std::array<vpHomogeneousMatrix, 3> before = whereaboutsOf(*trustedBefore);

@@ -2,8 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpTrackerState.h"
-
-#include <Eigen/Geometry>
+#include "tracker/vpTurnBetween.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,32 +19,20 @@ const double contradicting = 0.35;
 const double contradictingDistance = 6.; // Squared, in deviations.
 const unsigned int neededProofs = 3;
 const unsigned int neededDisproofs = 5;
-
-double angleBetween(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo)
-{
-  const Eigen::Matrix3d first = vpPoseExponential::toEigen(c1Mo).linear();
-  return Eigen::AngleAxisd(first.transpose() * vpPoseExponential::toEigen(c2Mo).linear()).angle();
-}
-
-double weightOf(const vpSurfaceMemory::Agreement &seen)
-{
-  return vpSurfaceTrust(seen.texture) * seen.known;
-}
 } // namespace
 
 double vpMbMultiCueTracker::Impl::turnSince(const vpHomogeneousMatrix &cMo) const
 {
-  double least = angleBetween(trustedBefore ? trustedBefore->cMo : trusted.cMo, cMo);
+  double least = vpTurnBetween(trustedBefore ? trustedBefore->cMo : trusted.cMo, cMo);
   past.forEachOld([&](const std::shared_ptr<const Learnt> &learnt) {
-    least = std::min(least, angleBetween(learnt->trusted.cMo, cMo));
+    least = std::min(least, vpTurnBetween(learnt->trusted.cMo, cMo));
   });
   return least;
 }
 
-bool vpMbMultiCueTracker::Impl::isContradictedBy(const vpSurfaceMemory::Agreement &seen, double turn) const
+bool vpMbMultiCueTracker::Impl::isRefutedBy(const vpSurfaceMemory::Agreement &seen, double variance) const
 {
   const double share = countedShare(seen.correlation, usual.surface);
-  const double variance = unsteadiness.surface + turnEffect.variance(turn);
   return weightOf(seen) > leastKnown && share < contradicting &&
          (1. - share) * (1. - share) > contradictingDistance * variance;
 }
@@ -58,7 +45,7 @@ void vpMbMultiCueTracker::Impl::learnTurnEffect()
   }
   std::vector<std::pair<double, const Learnt *>> turned;
   past.forEachOld([&](const std::shared_ptr<const Learnt> &learnt) {
-    const double angle = angleBetween(learnt->trusted.cMo, trusted.cMo);
+    const double angle = vpTurnBetween(learnt->trusted.cMo, trusted.cMo);
     if (learnt->period == period && angle > leastTurn) { // Else one of the two poses may be wrong.
       turned.emplace_back(angle, learnt.get());
     }
@@ -91,15 +78,14 @@ bool vpMbMultiCueTracker::Impl::isDisproved(const vpHomogeneousMatrix &cMo)
     return false;
   }
   const vpSurfaceMemory::Agreement seen = surface.agreement(cMo, proof.known->surface);
-  const double turn = angleBetween(proof.known->trusted.cMo, cMo);
-  proof.contradictions = isContradictedBy(seen, turn) ? proof.contradictions + 1 : 0;
+  const double variance = surfaceVariance(vpTurnBetween(proof.known->trusted.cMo, cMo));
+  proof.contradictions = isRefutedBy(seen, variance) ? proof.contradictions + 1 : 0;
   if (proof.contradictions >= neededDisproofs) {
     proof.hasFailed = true;
     return true;
   }
   if (weightOf(seen) > leastTexture) {
-    const double most = contradictingDistance * (unsteadiness.surface + turnEffect.variance(turn));
-    const bool tellsNothing = (1. - contradicting) * (1. - contradicting) < most;
+    const bool tellsNothing = (1. - contradicting) * (1. - contradicting) < contradictingDistance * variance;
     const bool proves = countedShare(seen.correlation, usual.surface) > proving;
     proof.agreeing += proves ? 1 : 0;
     proof.undecided += tellsNothing ? 1 : 0;

@@ -178,7 +178,7 @@ bool vpMbMultiCueTracker::isConfirmed(double inside) const
   }
   // Of two poses that only show sides which were never seen, nothing tells the right one until another side is seen.
   const bool isUnknown = hasTexture && impl.agreement.surfaceWeight < Impl::leastTexture;
-  if (impl.isDisowned() || impl.agreement.isContradicted || (isUnknown && impl.tracks.isContested())) {
+  if (impl.isDisowned() || impl.agreement.isRefuted || (isUnknown && impl.tracks.isContested())) {
     return impl.confirmations >= disownedConfirmations;
   }
   if (inside >= Impl::insideToConfirm && impl.tracks.ahead() >= neededAhead) {

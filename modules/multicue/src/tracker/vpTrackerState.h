@@ -46,7 +46,7 @@ struct vpMbMultiCueTracker::Agreement
   double surfaceKnown = 0.;  //!< Share of it that is remembered.
   double surfaceWeight = 0.; //!< Share of it that is remembered and tells poses apart.
   //! After a loss: the surface looks so different that the pose can hardly be right.
-  bool isContradicted = false;
+  bool isRefuted = false;
 };
 
 //! Everything behind vpMbMultiCueTracker that vpMbTracker does not hold.
@@ -314,9 +314,13 @@ public:
   void learnTurnEffect();
   //! How far the object is turned from where it was seen before the loss, radians.
   double turnSince(const vpHomogeneousMatrix &cMo) const;
-  //! True where the surface differs so much from what is known of it that the pose can hardly be right. \param turn
-  //! Since that was learnt, radians.
-  bool isContradictedBy(const vpSurfaceMemory::Agreement &seen, double turn) const;
+  //! Share of the surface that is known and tells poses apart.
+  static double weightOf(const vpSurfaceMemory::Agreement &seen) { return vpSurfaceTrust(seen.texture) * seen.known; }
+  //! Of its agreement with what was learnt before a turn by so many radians, as a share of the usual one.
+  double surfaceVariance(double turn) const { return unsteadiness.surface + turnEffect.variance(turn); }
+  //! True where the surface differs so much from what is known of it that the pose can hardly be right. Stronger than
+  //! isContradicted().
+  bool isRefutedBy(const vpSurfaceMemory::Agreement &seen, double variance) const;
   //! Whether the pose where the object was found again is right: it may have shown sides that were never seen, and
   //! turn to others.
   struct Proof
