@@ -211,20 +211,28 @@ void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
   }
 }
 
+// How fast less agreement becomes the usual one. Not at all after a loss until the found pose is proved: a wrong one
+// that explains less would lower what it is measured by, and be believed for that.
+double vpMbMultiCueTracker::Impl::fallRateOfUsual() const
+{
+  return proof.known ? 0. : usualFallRate;
+}
+
 void vpMbMultiCueTracker::learnUsual()
 {
   Impl &impl = *m_impl;
-  const auto learn = [&impl](double value, double &usual, double &unsteadiness) {
+  const double fallRate = impl.fallRateOfUsual();
+  const auto learn = [&impl, fallRate](double value, double &usual, double &unsteadiness) {
     if (usual > 0.) {
       const double off = impl.countedShare(value, usual) - 1.;
       unsteadiness += unsteadinessRate * (off * off - unsteadiness);
     }
-    const double rate = usual > 0. ? (value > usual ? usualRiseRate : usualFallRate) : 1.;
+    const double rate = usual > 0. ? (value > usual ? usualRiseRate : fallRate) : 1.;
     usual += rate * (value - usual);
   };
   impl.usual.edgeCount += usualCountRate * (impl.agreement.edgeCount - impl.usual.edgeCount);
   const double farther = impl.agreement.mapDistance - impl.usual.mapDistance;
-  impl.usual.mapDistance += (farther > 0. ? usualFallRate : nearerRate) * farther;
+  impl.usual.mapDistance += (farther > 0. ? fallRate : nearerRate) * farther;
   learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);
   learn(impl.agreement.color, impl.usual.color, impl.unsteadiness.color);
   learn(impl.agreement.points, impl.usual.points, impl.unsteadiness.points);

@@ -93,6 +93,8 @@ public:
   Share shareOfPoints(const vpHomogeneousMatrix &cMo);
   //! With what the keyframes say of the pose.
   double explainedBy(const Share &cues, const vpHomogeneousMatrix &cMo) const;
+  //! Share of the way that the usual agreement of a cue takes to a lower one in a trusted frame.
+  double fallRateOfUsual() const;
   //! A cue's agreement as a share of the usual one, as far as it counts.
   static double countedShare(double value, double usual);
   //! How much edges count whose agreement with trusted poses has this variance.
