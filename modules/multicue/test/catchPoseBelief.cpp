@@ -58,6 +58,23 @@ TEST_CASE("Some doubtful images on end do not end what was followed for long", "
   CHECK(after(belief, 3, 0., 0.5) > 0.7);
 }
 
+TEST_CASE(
+    "A followed pose that goes on to explain less than usual is doubted, and one that is hidden for a while is not",
+    "[pose-belief]")
+{
+  const auto followed = [](unsigned int frames, double explained) {
+    vpPoseBelief belief = begunWith(0.99);
+    for (unsigned int i = 0; i < frames; ++i) {
+      belief.updateFollowed(0., explained);
+    }
+    return belief.probability();
+  };
+  CHECK(followed(30, 0.73) < 0.5);
+  CHECK(followed(30, 0.9) > 0.97);
+  CHECK(followed(8, 0.) > 0.8);
+  CHECK(followed(8, 0.) == followed(8, 0.6));
+}
+
 TEST_CASE("The belief stays a probability that can be turned", "[pose-belief]")
 {
   for (const double explained : {-1e6, 0., 1e6}) {

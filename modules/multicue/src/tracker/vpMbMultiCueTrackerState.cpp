@@ -113,9 +113,11 @@ void vpMbMultiCueTracker::believe()
   }
   if (impl.mustConfirm) {
     impl.belief.doubt();
+    const double lead = std::min(std::max(impl.tracks.lead(), 0.), mostLead);
+    impl.belief.update(impl.surpriseAt(m_cMo), impl.best.explained + lead);
+  } else {
+    impl.belief.updateFollowed(impl.surpriseAt(m_cMo), impl.best.explained);
   }
-  const double lead = impl.mustConfirm ? std::min(std::max(impl.tracks.lead(), 0.), mostLead) : 0.;
-  impl.belief.update(impl.surpriseAt(m_cMo), impl.best.explained + lead);
   impl.disbelievedFrames = impl.belief.probability() < leastBelief ? impl.disbelievedFrames + 1 : 0;
   if (impl.searches && impl.disbelievedFrames >= mostDisbelieved) {
     impl.noteLoss();

@@ -17,16 +17,19 @@ BEGIN_VISP_NAMESPACE
   \f[ p^- = (1 - J) (a p + b (1 - p)) + J c,  J = s / (2 + s) \f]
   Correction by the share e that the pose explains of what right ones do:
   \f[ \frac{p}{1 - p} = \frac{p^-}{1 - p^-} \exp(k (e - e_0)) \f]
-  k is far below what single images would give, since those on end are alike.
+  k is far below what single images would give, since those on end are alike. Of a pose that is followed e_0 is higher,
+  and one image costs no more than a limit.
 */
 class vpPoseBelief
 {
 public:
   //! \param probability Of the pose that is begun with.
   void start(double probability) { m_probability = probability; }
-  //! \param jump Squared distance to the expected pose, in deviations. \param explained Share, about 1 where all is
-  //! well.
+  //! Of a pose that was found. \param jump Squared distance to the expected pose, in deviations. \param explained
+  //! Share, about 1 where all is well.
   void update(double jump, double explained);
+  //! Of one that is followed from frame to frame.
+  void updateFollowed(double jump, double explained);
   //! The pose has to be confirmed: nothing but the images of this frame and those to come speaks for it.
   void doubt();
   //! There is no pose.
@@ -34,6 +37,9 @@ public:
   double probability() const { return m_probability; }
 
 private:
+  //! \param gained Logarithm of the factor of the odds.
+  void updateBy(double jump, double gained);
+
   double m_probability = 0.;
 };
 
