@@ -12,7 +12,10 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 const double leastTurn = 0.25; // Radians, to tell its effect by.
-const double leastKnown = 0.3; // Share of the surface that has to be known to contradict a pose.
+// Share of the surface that has to be known to contradict a pose; and one that is followed: a single side that was seen
+// at a slant before may look different at the right one.
+const double leastKnown = 0.3;
+const double knownToDisprove = 0.5;
 // Of the usual agreement: above the first a frame proves a pose, below the second it may contradict it.
 const double proving = 0.7;
 const double contradicting = 0.35;
@@ -79,7 +82,8 @@ bool vpMbMultiCueTracker::Impl::isDisproved(const vpHomogeneousMatrix &cMo)
   }
   const vpSurfaceMemory::Agreement seen = surface.agreement(cMo, proof.known->surface);
   const double variance = surfaceVariance(vpTurnBetween(proof.known->trusted.cMo, cMo));
-  proof.contradictions = isRefutedBy(seen, variance) ? proof.contradictions + 1 : 0;
+  const bool contradicts = isRefutedBy(seen, variance) && weightOf(seen) > knownToDisprove;
+  proof.contradictions = contradicts ? proof.contradictions + 1 : 0;
   if (proof.contradictions >= neededDisproofs) {
     proof.hasFailed = true;
     return true;
