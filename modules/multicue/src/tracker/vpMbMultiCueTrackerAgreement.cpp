@@ -39,6 +39,7 @@ const double mapByChance = 0.3;
 // Slower down than up: a wrong pose explains less, and must not become the usual one.
 const double usualRiseRate = 0.1;
 const double usualFallRate = 0.02;
+const unsigned int framesOfProof = 60; // Trusted ones; the light may change in a longer time.
 const double usualCountRate = 0.1;
 const double nearerRate = 0.1; // Of the distance to the image's edges; the slow one above where it grows.
 const double unsteadinessRate = 0.05;
@@ -211,11 +212,11 @@ void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
   }
 }
 
-// How fast less agreement becomes the usual one. Not at all after a loss until the found pose is proved: a wrong one
-// that explains less would lower what it is measured by, and be believed for that.
+// How fast less agreement becomes the usual one. Not at all after a loss until the found pose is proved, or was
+// followed for long: a wrong one that explains less would lower what it is measured by, and be believed for that.
 double vpMbMultiCueTracker::Impl::fallRateOfUsual() const
 {
-  return proof.known ? 0. : usualFallRate;
+  return proof.known && trustedFrames < framesOfProof ? 0. : usualFallRate;
 }
 
 void vpMbMultiCueTracker::learnUsual()
