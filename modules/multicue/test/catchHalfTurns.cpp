@@ -79,6 +79,28 @@ TEST_CASE("A model without a surface has the half turns about its frame's axes",
   CHECK((vpPoseExponential::toEigen(*nearer).matrix() - vpPoseExponential::toEigen(expected).matrix()).norm() < 1e-9);
 }
 
+TEST_CASE("What sticks out on one side does not move the axis that the rest turns about", "[half-turns]")
+{
+  std::vector<modelShapes::Triangle> triangles = modelShapes::boxTriangles({0.1, 0.2, 0.35});
+  for (modelShapes::Triangle triangle : modelShapes::boxTriangles({0.03, 0.03, 0.12})) {
+    for (Eigen::Vector3d &corner : triangle) {
+      corner.x() += 0.065; // An antenna: the middle of the box of all is moved by 0.015.
+    }
+    triangles.push_back(triangle);
+  }
+  const vpTrackedModel model = modelShapes::build(triangles);
+  REQUIRE(model.centre().x() > 0.01);
+  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(expected);
+  double least = HUGE_VAL;
+  for (const vpHomogeneousMatrix &cMo : halfTurnsOf(model).turned(expected)) {
+    const Eigen::Isometry3d turn = pose.inverse() * vpPoseExponential::toEigen(cMo);
+    const Eigen::Isometry3d right(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
+    const double angle = Eigen::AngleAxisd(right.linear().transpose() * turn.linear()).angle();
+    least = std::min(least, angle + turn.translation().norm() / model.diameter());
+  }
+  CHECK(least < 0.02);
+}
+
 TEST_CASE("All half turns of a pose are about its middle", "[half-turns]")
 {
   const Eigen::Isometry3d pose = vpPoseExponential::toEigen(expected);

@@ -7,15 +7,115 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 BEGIN_VISP_NAMESPACE
 
 namespace {
 const double muchNearer = 0.5; // Radians.
 
-Eigen::Matrix3d halfTurn(const Eigen::Vector3d &axis)
+// To align the surface with itself: the share of it that may be what is not symmetric, steps, and how much nearer it
+// has to come, how far in diameters and radians.
+const double keptShare = 0.6;
+const int steps = 15;
+const double muchBetter = 0.7;
+const double mostShift = 0.25;
+const double mostTilt = 0.4;
+const double damping = 1e-6;
+// Two turns are the same one that differ by less, in diameters and radians.
+const double sameShift = 0.02;
+const double sameTilt = 0.1;
+
+Eigen::Isometry3d halfTurn(const Eigen::Vector3d &axis, const Eigen::Vector3d &centre)
 {
-  return 2. * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  turn.linear() = 2. * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+  turn.translation() = centre - turn.linear() * centre;
+  return turn;
+}
+
+double angleBetween(const Eigen::Isometry3d &a, const Eigen::Isometry3d &b)
+{
+  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
+}
+
+// A place of the surface and the one that is nearest to where a turn brings it.
+struct Pair
+{
+  Eigen::Vector3d turned;
+  std::size_t nearest = 0;
+  double distance = 0.; // Squared.
+};
+
+// The nearest ones of them.
+std::vector<Pair> pairsOf(const vpHalfTurns::Surface &surface, const Eigen::Isometry3d &turn)
+{
+  std::vector<Pair> pairs(static_cast<std::size_t>(surface.places.cols()));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Eigen::Index nearest = 0;
+    pairs[i].turned = turn * surface.places.col(static_cast<Eigen::Index>(i));
+    pairs[i].distance = (surface.places.colwise() - pairs[i].turned).colwise().squaredNorm().minCoeff(&nearest);
+    pairs[i].nearest = static_cast<std::size_t>(nearest);
+  }
+  const auto kept = static_cast<std::ptrdiff_t>(keptShare * static_cast<double>(pairs.size()));
+  std::nth_element(pairs.begin(), pairs.begin() + kept, pairs.end(),
+                   [](const Pair &a, const Pair &b) { return a.distance < b.distance; });
+  pairs.resize(static_cast<std::size_t>(kept));
+  return pairs;
+}
+
+// Along the normal: places that lie beside each other on the same face are no distance.
+double offFace(const Pair &pair, const vpHalfTurns::Surface &surface)
+{
+  const auto nearest = static_cast<Eigen::Index>(pair.nearest);
+  return surface.normals.col(nearest).dot(pair.turned - surface.places.col(nearest));
+}
+
+double distanceOf(const vpHalfTurns::Surface &surface, const Eigen::Isometry3d &turn)
+{
+  const std::vector<Pair> pairs = pairsOf(surface, turn);
+  double sum = 0.;
+  for (const Pair &pair : pairs) {
+    sum += std::fabs(offFace(pair, surface));
+  }
+  return sum / static_cast<double>(pairs.size());
+}
+
+// One step of Gauss and Newton towards the faces. \param tilts The axis may change its direction, too.
+Eigen::Isometry3d stepOf(const vpHalfTurns::Surface &surface, const Eigen::Isometry3d &turn,
+                         const Eigen::Vector3d &centre, bool tilts)
+{
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
+  Vector6 errors = Vector6::Zero();
+  for (const Pair &pair : pairsOf(surface, turn)) {
+    const Eigen::Vector3d normal = surface.normals.col(static_cast<Eigen::Index>(pair.nearest));
+    Vector6 row = Vector6::Zero();
+    row.head<3>() = normal;
+    if (tilts) {
+      row.tail<3>() = (pair.turned - centre).cross(normal);
+    }
+    products += row * row.transpose();
+    errors += row * offFace(pair, surface);
+  }
+  // What no face holds stays as it is.
+  products.diagonal().array() += damping * std::max(products.diagonal().maxCoeff(), 1e-300);
+  const Vector6 step = products.ldlt().solve(-errors);
+  Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+  moved.linear() = Eigen::AngleAxisd(step.tail<3>().norm(), step.tail<3>().stableNormalized()).toRotationMatrix();
+  moved.translation() = centre + step.head<3>() - moved.linear() * centre;
+  return moved * turn;
+}
+
+// Most of the surface moved to where other parts of it are.
+Eigen::Isometry3d aligned(const vpHalfTurns::Surface &surface, const Eigen::Isometry3d &first,
+                          const Eigen::Vector3d &centre, bool tilts)
+{
+  Eigen::Isometry3d turn = first;
+  for (int i = 0; i < steps; ++i) {
+    turn = stepOf(surface, turn, centre, tilts);
+  }
+  return turn;
 }
 
 double leastAngle(const vpHomogeneousMatrix &cMo, const std::vector<vpHomogeneousMatrix> &expected)
@@ -31,38 +131,61 @@ double leastAngle(const vpHomogeneousMatrix &cMo, const std::vector<vpHomogeneou
 void vpHalfTurns::setModel(const vpTrackedModel &model, const std::vector<vpSurfaceSample> &samples)
 {
   m_centre = model.centre();
+  m_diameter = model.diameter();
   m_turns.clear();
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  for (const vpSurfaceSample &sample : samples) {
-    const Eigen::Vector3d place = sample.position.cast<double>() - m_centre;
-    mean += place;
-    squares += place * place.transpose();
-  }
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   for (int i = 0; i < 3; ++i) {
-    m_turns.push_back(halfTurn(Eigen::Vector3d::Unit(i)));
+    add(halfTurn(axes.col(i), m_centre));
   }
   if (samples.empty()) {
     return;
   }
-  const auto count = static_cast<double>(samples.size());
-  const Eigen::Matrix3d covariance = squares / count - mean * mean.transpose() / (count * count);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  Surface surface;
+  surface.places.resize(3, static_cast<Eigen::Index>(samples.size()));
+  surface.normals.resize(3, static_cast<Eigen::Index>(samples.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    surface.places.col(static_cast<Eigen::Index>(i)) = samples[i].position.cast<double>();
+    surface.normals.col(static_cast<Eigen::Index>(i)) = samples[i].normal.cast<double>();
+  }
+  const Eigen::Matrix3Xd fromMean = surface.places.colwise() - surface.places.rowwise().mean();
+  axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(fromMean * fromMean.transpose()).eigenvectors();
   for (int i = 0; i < 3; ++i) {
-    m_turns.push_back(halfTurn(solver.eigenvectors().col(i)));
+    add(halfTurn(axes.col(i), m_centre));
+  }
+  const std::vector<Eigen::Isometry3d> turns = std::move(m_turns);
+  m_turns.clear();
+  for (const Eigen::Isometry3d &turn : turns) {
+    const Eigen::Isometry3d shifted = better(turn, aligned(surface, turn, m_centre, false), surface);
+    add(shifted);
+    add(better(shifted, aligned(surface, shifted, m_centre, true), surface));
+  }
+}
+
+// The second one, where it is near to the first and brings the surface much nearer to itself.
+Eigen::Isometry3d vpHalfTurns::better(const Eigen::Isometry3d &first, const Eigen::Isometry3d &second,
+                                      const Surface &surface) const
+{
+  const bool isNear =
+      (second * m_centre - first * m_centre).norm() < mostShift * m_diameter && angleBetween(second, first) < mostTilt;
+  const bool isBetter = distanceOf(surface, second) < muchBetter * distanceOf(surface, first) - 1e-9 * m_diameter;
+  return isNear && isBetter ? second : first;
+}
+
+void vpHalfTurns::add(const Eigen::Isometry3d &turn)
+{
+  const bool isKnown = std::any_of(m_turns.begin(), m_turns.end(), [&](const Eigen::Isometry3d &other) {
+    return angleBetween(turn, other) < sameTilt && (turn * m_centre - other * m_centre).norm() < sameShift * m_diameter;
+  });
+  if (!isKnown) {
+    m_turns.push_back(turn);
   }
 }
 
 std::vector<vpHomogeneousMatrix> vpHalfTurns::turned(const vpHomogeneousMatrix &cMo) const
 {
-  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo);
-  const Eigen::Vector3d at = pose * m_centre;
   std::vector<vpHomogeneousMatrix> poses;
-  for (const Eigen::Matrix3d &turn : m_turns) {
-    Eigen::Isometry3d turned = pose;
-    turned.linear() = pose.linear() * turn;
-    turned.translation() = at - turned.linear() * m_centre;
-    poses.push_back(vpPoseExponential::fromEigen(turned));
+  for (const Eigen::Isometry3d &turn : m_turns) {
+    poses.push_back(vpPoseExponential::fromEigen(vpPoseExponential::toEigen(cMo) * turn));
   }
   return poses;
 }
