@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPoseBelief.cpp" // The library keeps them to itself.
+#include "tracker/vpContourEvidence.cpp" // The library keeps them to itself.
+#include "tracker/vpPoseBelief.cpp"
 #include "tracker/vpPoseTracks.cpp"
 
 #include <catchMain.h>

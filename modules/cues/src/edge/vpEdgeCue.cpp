@@ -261,22 +261,39 @@ void vpEdgeCue::residuals(const vpHomogeneousMatrix &cMo, const std::vector<int>
   }
 }
 
+double vpEdgeCue::agreementOf(const Match &match, const vpLineProjector &project, double reach) const
+{
+  if (match.count == 0) {
+    return 0.;
+  }
+  const vpProjectedLine line = project(match.point);
+  if (!line.isSeen()) {
+    return 0.;
+  }
+  const Candidate &nearest = line.nearest(m_candidates.data() + match.first, match.count);
+  const double share = line.distance(nearest.place) * m_camera.get_px() / reach;
+  return std::max(0., 1. - share * share);
+}
+
 double vpEdgeCue::agreement(const vpHomogeneousMatrix &cMo, double reach) const
 {
   const vpLineProjector project(cMo);
   vpLight::Mean mean;
   for (const Match &match : m_matches) {
-    double share = 1.; // Of the reach.
-    if (match.count > 0) {
-      const vpProjectedLine line = project(match.point);
-      if (line.isSeen()) {
-        share = line.distance(line.nearest(m_candidates.data() + match.first, match.count).place) * m_camera.get_px() /
-                reach;
-      }
-    }
-    mean.add(std::max(0., 1. - share * share), match.light);
+    mean.add(agreementOf(match, project, reach), match.light);
   }
   return mean.value();
+}
+
+std::vector<double> vpEdgeCue::agreements(const vpHomogeneousMatrix &cMo, double reach) const
+{
+  const vpLineProjector project(cMo);
+  std::vector<double> each;
+  each.reserve(m_matches.size());
+  for (const Match &match : m_matches) {
+    each.push_back(agreementOf(match, project, reach));
+  }
+  return each;
 }
 
 void vpEdgeCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)

@@ -216,7 +216,7 @@ void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
 // followed for long: a wrong one that explains less would lower what it is measured by, and be believed for that.
 double vpMbMultiCueTracker::Impl::fallRateOfUsual() const
 {
-  return proof.known && trustedFrames < framesOfProof ? 0. : usualFallRate;
+  return proof.isOpen && trustedFrames < framesOfProof ? 0. : usualFallRate;
 }
 
 void vpMbMultiCueTracker::learnUsual()

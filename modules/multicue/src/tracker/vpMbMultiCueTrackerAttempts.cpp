@@ -131,7 +131,11 @@ bool vpMbMultiCueTracker::takeAttempt(bool estimated)
     const double change = changePenalty * impl.changeSince(m_cMo);
     value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) - impl.fewEdgesPenalty() -
             depthPenalty * impl.depthChange(m_cMo) - (impl.agreement.isRefuted ? contradictionPenalty : 0.);
-    value = estimated ? impl.tracks.add(m_cMo, value, change, impl.sameTrack()) : value - change;
+    vpContourEvidence contours;
+    if (estimated && impl.uses(EDGE_TRACKER)) {
+      contours.set(impl.edges, m_cMo);
+    }
+    value = estimated ? impl.tracks.add(m_cMo, value, change, impl.sameTrack(), contours) : value - change;
   }
   const Impl::Attempt attempt = {{share, value, surprise >= mostFar}, m_cMo, impl.share, impl.usesPoints};
   impl.bestIsLast = estimated && attempt.isBetterThan(impl.best, impl.mustConfirm);
@@ -329,9 +333,6 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   if (impl.rough.hasHint) {
     isEnough = tryHint(frame) || isEnough;
   }
-  if (isEnough && impl.bestIsLast) {
-    return takeNearestAlike(frame);
-  }
   if (!isEnough && impl.mustConfirm) {
     findAgain(frame);
   } else if (!isEnough) {
@@ -340,6 +341,7 @@ bool vpMbMultiCueTracker::estimateFused(const vpCueFrame &frame)
   if (impl.best.explained < 0.) {
     return false;
   }
+  compareTwins(frame);
   if (!impl.bestIsLast) {
     m_cMo = impl.startPose = impl.best.cMo;
     impl.usesPoints = impl.best.usesPoints;

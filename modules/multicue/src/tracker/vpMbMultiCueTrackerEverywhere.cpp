@@ -96,15 +96,21 @@ void vpMbMultiCueTracker::attemptAtDistance(const vpCueFrame &frame, const std::
   attemptBest(frame, search, false);
 }
 
-// The best pose of this frame, where it is turned far, the other way round.
+// The best pose of this frame, where it is turned far, the other way round; and once it is about to be confirmed, all
+// those that look much alike.
 void vpMbMultiCueTracker::attemptHalfTurned(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   if (impl.best.explained < vpJudgedPose::leastExplained || impl.searchBudget.isSpent()) {
     return;
   }
-  if (const auto turned = impl.halfTurns.nearer(impl.best.cMo, impl.whereabouts())) {
-    impl.usesPoints = false;
+  impl.usesPoints = false;
+  const vpHomogeneousMatrix best = impl.best.cMo;
+  if (impl.confirmations == 1) {
+    for (const vpHomogeneousMatrix &turned : impl.halfTurns.turned(best)) {
+      attemptFrom(frame, turned, false);
+    }
+  } else if (const auto turned = impl.halfTurns.nearer(best, impl.whereabouts())) {
     attemptFrom(frame, *turned, false);
   }
 }

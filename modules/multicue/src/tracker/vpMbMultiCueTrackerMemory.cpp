@@ -27,13 +27,14 @@ void vpMbMultiCueTracker::Impl::noteLoss()
     return;
   }
   mustConfirm = true;
+  twins.clear();
   farDeviation = mostFarDeviation;
   framesSinceLoss = 0;
   trustedBefore.reset();
   wasSudden = time - lastExplained < mostSudden * frameInterval;
 }
 
-void vpMbMultiCueTracker::Impl::noteFound()
+void vpMbMultiCueTracker::Impl::noteFound(const vpHomogeneousMatrix &cMo)
 {
   mustConfirm = false;
   wasFound = true;
@@ -45,6 +46,7 @@ void vpMbMultiCueTracker::Impl::noteFound()
     past.settle();
   }
   startProof();
+  startTwins(cMo);
   forgetMotion();
 }
 
@@ -81,9 +83,9 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
 {
   ++framesSinceLoss;
   const std::optional<unsigned int> level = levelToRecall();
-  const bool isUnproven = framesSinceLoss == 1 && proof.known;
-  if (isUnproven) { // What was learnt since then may be of a wrong pose.
-    past.dropNewest([this](const std::shared_ptr<const Learnt> &learnt) { return learnt->period == period; });
+  const bool isUnproven = framesSinceLoss == 1 && (proof.isOpen || proof.hasFailed);
+  if (isUnproven) {
+    forgetPeriod();
   }
   const std::shared_ptr<const Learnt> *recalled = level ? past.recall(*level) : nullptr;
   if (recalled == nullptr && isUnproven) {
@@ -92,15 +94,25 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
   if (recalled == nullptr) {
     return;
   }
-  const Learnt &learnt = **recalled;
-  color.setReference(learnt.color);
-  surface.setReference(learnt.surface);
-  usual = learnt.usual;
-  trustedBefore = learnt.trusted;
+  recall(**recalled);
+  trustedBefore = (*recalled)->trusted;
   if (*level > 0 || (wasFound && trustedFrames < fewTrusted)) {
     keyframes.reset();
   }
   searched.clear();
+}
+
+// What was learnt since the object was found may be of a wrong pose.
+void vpMbMultiCueTracker::Impl::forgetPeriod()
+{
+  past.dropNewest([this](const std::shared_ptr<const Learnt> &learnt) { return learnt->period == period; });
+}
+
+void vpMbMultiCueTracker::Impl::recall(const Learnt &learnt)
+{
+  color.setReference(learnt.color);
+  surface.setReference(learnt.surface);
+  usual = learnt.usual;
 }
 
 // Where the object is if it went on as it moved when it was trusted. \param share Of the way that it would have gone.

@@ -68,16 +68,15 @@ void vpMbMultiCueTracker::Impl::learnTurnEffect()
 void vpMbMultiCueTracker::Impl::startProof()
 {
   proof = Proof();
-  if (surface.texture() > leastTexture) {
-    const Trusted &from = trustedBefore ? *trustedBefore : trusted;
-    proof.known = std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, from, period});
-  }
+  proof.isOpen = surface.texture() > leastTexture;
+  const Trusted &from = trustedBefore ? *trustedBefore : trusted;
+  proof.known = std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, from, period});
   ++period;
 }
 
 bool vpMbMultiCueTracker::Impl::isDisproved(const vpHomogeneousMatrix &cMo)
 {
-  if (!proof.known) {
+  if (!proof.isOpen) {
     return false;
   }
   const vpSurfaceMemory::Agreement seen = surface.agreement(cMo, proof.known->surface);
@@ -95,7 +94,7 @@ bool vpMbMultiCueTracker::Impl::isDisproved(const vpHomogeneousMatrix &cMo)
     proof.undecided += tellsNothing ? 1 : 0;
   }
   if (std::max(proof.agreeing, proof.undecided) >= neededProofs) {
-    proof.known.reset();
+    proof.isOpen = false;
   }
   return false;
 }

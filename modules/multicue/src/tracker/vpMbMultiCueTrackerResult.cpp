@@ -43,7 +43,7 @@ double vpMbMultiCueTracker::Impl::score() const
     return 0.;
   }
   if (judgesCues()) {
-    return state == vpTrackingState::LOST ? 0. : belief.probability();
+    return state == vpTrackingState::LOST ? 0. : believed();
   }
   return support();
 }

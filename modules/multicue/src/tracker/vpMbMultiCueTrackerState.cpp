@@ -123,7 +123,7 @@ void vpMbMultiCueTracker::believe()
     impl.noteLoss();
   }
   const double needed = impl.wasTracking ? keptBelief : trustedBelief;
-  const bool isBelieved = !impl.searches || impl.belief.probability() >= needed;
+  const bool isBelieved = !impl.searches || impl.believed() >= needed;
   if (impl.state == vpTrackingState::TRACKING && !isBelieved) {
     impl.state = vpTrackingState::UNCERTAIN;
     impl.outcome = vpMbTrackingResult::Reason::CONFIRMING;
@@ -162,7 +162,7 @@ void vpMbMultiCueTracker::confirmState()
       isExplained && inside >= Impl::insideToConfirm && impl.best.explained >= vpPoseTracks::confirming;
   impl.confirmations = confirms ? impl.confirmations + 1 : 0;
   if (isConfirmed(inside)) {
-    impl.noteFound();
+    impl.noteFound(m_cMo);
   } else {
     impl.state = vpTrackingState::UNCERTAIN;
   }

@@ -73,7 +73,8 @@ std::size_t vpPoseTracks::indexOf(const vpHomogeneousMatrix &cMo, const Same &is
   return found == m_tracks.end() ? none : static_cast<std::size_t>(found - m_tracks.begin());
 }
 
-double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame)
+double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame,
+                         const vpContourEvidence &contours)
 {
   std::size_t index = m_followed != none ? m_followed : indexOf(cMo, isSame);
   if (index == none) {
@@ -90,6 +91,7 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double ch
     track.cMo = cMo;
     track.value = value;
     track.change = least;
+    track.contours = contours;
     track.isSeen = true;
   }
   return standing(meanWith(track, value), grown(track.frames));
@@ -128,6 +130,17 @@ void vpPoseTracks::dropDoubles(const Same &isSame)
   m_tracks = std::move(kept);
 }
 
+// What only one of two poses has tells them apart, whatever they have in common.
+void vpPoseTracks::compareContours()
+{
+  const vpContourEvidence &first = m_tracks.front().contours;
+  const auto isBeaten = [&first](Track &other) {
+    other.behind += vpContourEvidence::oddsOf(first.advantageOver(other.contours));
+    return other.behind >= vpContourEvidence::decisiveOdds;
+  };
+  m_tracks.erase(std::remove_if(m_tracks.begin() + 1, m_tracks.end(), isBeaten), m_tracks.end());
+}
+
 void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, Seen seen, const Same &isSame)
 {
   endFrame();
@@ -139,6 +152,7 @@ void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, Seen seen, const Same 
     std::rotate(m_tracks.begin(), best, best + 1);
   }
   dropDoubles(isSame);
+  compareContours();
   for (std::size_t i = 1; i < m_tracks.size(); ++i) {
     Track &other = m_tracks[i];
     other.belief.update(0., other.value);

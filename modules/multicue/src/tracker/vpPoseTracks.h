@@ -2,6 +2,7 @@
 #ifndef vpPoseTracks_h
 #define vpPoseTracks_h
 
+#include "tracker/vpContourEvidence.h"
 #include "tracker/vpPoseBelief.h"
 
 #include <visp3/core/vpHomogeneousMatrix.h>
@@ -44,6 +45,8 @@ public:
     double frames = 0.;         //!< That it is the mean of.
     double value = 0.;          //!< In this frame.
     double change = HUGE_VAL;   //!< Least penalty for how far it is from where the object was.
+    vpContourEvidence contours; //!< In this frame.
+    double behind = 0.;         //!< The first one, by contours that only one of them has; as a logarithm of odds.
     bool isSeen = false;
     vpPoseBelief belief;
     unsigned int confirmations = 0; //!< Frames on end that explained it.
@@ -70,9 +73,10 @@ public:
   /*!
     A pose that was estimated in this frame. \return What to compare it by.
     \param value What it explains. \param change Penalty for how far it is from where the object was: of a pose that is
-    followed, the least one counts, as it moves with the object.
+    followed, the least one counts, as it moves with the object. \param contours What is there of its own.
   */
-  double add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame);
+  double add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame,
+             const vpContourEvidence &contours = vpContourEvidence());
   //! Other poses were looked for in all of this image.
   void noteSearch() { m_hasSearched = m_hasOthers = true; }
   //! Other poses were looked for, as far as there was time for it.
@@ -97,6 +101,7 @@ private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t indexOf(const vpHomogeneousMatrix &cMo, const Same &isSame) const;
   void endFrame();
+  void compareContours();
   void dropDoubles(const Same &isSame);
 
   std::vector<Track> m_tracks;

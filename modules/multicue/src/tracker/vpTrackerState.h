@@ -7,6 +7,7 @@
 #include "search/vpContourScan.h"
 #include "search/vpPoseSearch.h"
 #include "tracker/vpCentreFrame.h"
+#include "tracker/vpContourEvidence.h"
 #include "tracker/vpCueFusion.h"
 #include "tracker/vpHalfTurns.h"
 #include "tracker/vpInertia.h"
@@ -305,10 +306,11 @@ public:
     unsigned int period = 0; //!< See below.
   };
   void noteLoss();
-  void noteFound();
+  void noteFound(const vpHomogeneousMatrix &cMo);
   void keepLearnt();
   std::optional<unsigned int> levelToRecall() const;
   void recallLearnt();
+  void forgetPeriod();
   vpPastKnowledge<std::shared_ptr<const Learnt>> past;
   unsigned int period = 0; // How often the object was found again.
   vpTurnEffect turnEffect; // On the surface.
@@ -327,14 +329,31 @@ public:
   //! turn to others.
   struct Proof
   {
-    std::shared_ptr<const Learnt> known; //!< Before it was found; null where there is nothing to prove.
-    unsigned int agreeing = 0;           //!< Frames in which what was known agreed with the image.
-    unsigned int undecided = 0;          //!< In which it could not have told.
-    unsigned int contradictions = 0;     //!< In which it did not agree, on end.
-    bool hasFailed = false;              //!< The object was lost for that.
+    std::shared_ptr<const Learnt> known; //!< Before it was found.
+    bool isOpen = false;
+    unsigned int agreeing = 0;       //!< Frames in which what was known agreed with the image.
+    unsigned int undecided = 0;      //!< In which it could not have told.
+    unsigned int contradictions = 0; //!< In which it did not agree, on end.
+    bool hasFailed = false;          //!< The object was lost for that.
   };
   Proof proof;
   void startProof();
+  //! A pose that may be the right one instead of the one that was found.
+  struct Twin
+  {
+    vpHomogeneousMatrix oMt; //!< From the object's frame at it to that at the pose that is followed.
+    double lead = 0.;        //!< Of the followed pose before it, as a logarithm of odds.
+  };
+  std::vector<Twin> twins;
+  unsigned int twinFrames = 0; // In which they were compared.
+  vpEdgeCue plainEdges;        // Without memory.
+  void startTwins(const vpHomogeneousMatrix &cMo);
+  double surfaceEvidence(const vpHomogeneousMatrix &cMo) const;
+  //! Goes back to what was known before the object was found, and on from a pose.
+  void startOver(const vpHomogeneousMatrix &cMo);
+  void recall(const Learnt &learnt);
+  //! Probability of the pose, with what speaks for its twins.
+  double believed() const;
   //! \return True where the pose that is followed turned out to be wrong.
   bool isDisproved(const vpHomogeneousMatrix &cMo);
   double lastExplained = 0.;            // When a trusted frame was explained well.

@@ -127,6 +127,8 @@ public:
     each counts as far as there is light. 0 without control points.
   */
   double agreement(const vpHomogeneousMatrix &cMo, double reach) const;
+  //! The same for each of matches(): 1 - (distance / reach)^2, 0 where no candidate is within reach.
+  std::vector<double> agreements(const vpHomogeneousMatrix &cMo, double reach) const;
 
   const std::vector<Match> &matches() const { return m_matches; }
   const std::vector<Candidate> &candidates() const { return m_candidates; }
@@ -143,6 +145,7 @@ private:
   };
 
   void shareCandidates();
+  double agreementOf(const Match &match, const vpLineProjector &project, double reach) const;
   void addRow(const Match &match, int choice, const vpLineProjector &project, std::vector<vpResidual> &rows) const;
   const Memory *recall(const vpControlPoint &point) const;
   void remember(const Match &match, const Memory &memory);

@@ -16,9 +16,11 @@
 #include <visp3/se3/vpPoseModes.h>
 
 #include <memory>
+#include <optional>
 
 BEGIN_VISP_NAMESPACE
 
+class vpContourEvidence;
 class vpPoseSearch;
 
 /*!
@@ -433,6 +435,10 @@ private:
   bool attemptAhead(const vpCueFrame &frame, const vpHomogeneousMatrix &before, const vpHomogeneousMatrix &cMo);
   void findAgain(const vpCueFrame &frame);
   void attemptHalfTurned(const vpCueFrame &frame);
+  bool refineTwin(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, vpContourEvidence &contours);
+  void weighTwins(const vpCueFrame &frame);
+  std::optional<vpHomogeneousMatrix> rightTwin(const vpCueFrame &frame);
+  void compareTwins(const vpCueFrame &frame);
   bool attemptProposed(const vpCueFrame &frame);
   void followDoubtful();
   void believe();
