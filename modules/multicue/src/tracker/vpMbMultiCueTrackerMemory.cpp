@@ -27,7 +27,7 @@ void vpMbMultiCueTracker::Impl::noteLoss()
     return;
   }
   mustConfirm = true;
-  twins.clear();
+  endTwins();
   farDeviation = mostFarDeviation;
   framesSinceLoss = 0;
   trustedBefore.reset();

@@ -20,23 +20,35 @@ const double neutralSurface = 0.5;
 // What the images before count beside this one: those of a twin that differs in nothing tell less and less.
 const double keptLead = 0.9;
 const unsigned int mostComparisons = 60; // Frames in which a twin did not win are enough.
+// In each of so many others are looked for around the pose; poses drawn for that, and those that are compared.
+const unsigned int searchInterval = 10;
+const std::size_t searched = 80;
+const std::size_t mostFound = 4;
 // A pose that slipped by less than this (radians) is turned back to; where its twin has less than these odds before it.
 const double mostSlip = 0.5;
 const double leastOdds = 2.;
+// What a pose a little beside the right one may gain now and then.
+const double negligibleLead = 4.;
 const double rightOfTwin = 0.5; // Probability of one that has won.
 } // namespace
 
 // After the object was found at a pose.
 void vpMbMultiCueTracker::Impl::startTwins(const vpHomogeneousMatrix &cMo)
 {
-  twins.clear();
-  twinFrames = 0;
+  endTwins();
   if (!uses(EDGE_TRACKER) || type == EDGE_TRACKER) {
     return;
   }
+  twinFrames = 0;
   for (const vpHomogeneousMatrix &turned : halfTurns.turned(cMo)) {
     twins.push_back({cMo.inverse() * turned, 0.});
   }
+}
+
+void vpMbMultiCueTracker::Impl::endTwins()
+{
+  twins.clear();
+  twinFrames = mostComparisons;
 }
 
 // How far the surface that was known before the object was found speaks for a pose, as a logarithm of odds.
@@ -70,11 +82,13 @@ bool vpMbMultiCueTracker::refineTwin(const vpCueFrame &frame, const vpHomogeneou
 void vpMbMultiCueTracker::compareTwins(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  if (impl.twins.empty() || impl.mustConfirm) {
+  if (impl.mustConfirm || impl.twinFrames >= mostComparisons) {
     return;
   }
-  if (++impl.twinFrames > mostComparisons) {
-    impl.twins.clear();
+  if (++impl.twinFrames % searchInterval == 0) {
+    searchTwins(frame);
+  }
+  if (impl.twins.empty()) {
     return;
   }
   // The contrasts of edges that are remembered are those of the pose that is followed.
@@ -91,6 +105,23 @@ void vpMbMultiCueTracker::compareTwins(const vpCueFrame &frame)
     impl.startOver(*right);
     impl.best = Impl::Attempt();
     attemptFrom(frame, *right, false);
+  }
+}
+
+// The pose may have slipped to contours beside its own, while little of the object was in the image.
+void vpMbMultiCueTracker::searchTwins(const vpCueFrame &frame)
+{
+  Impl &impl = *m_impl;
+  const vpHomogeneousMatrix cMo = impl.best.cMo;
+  impl.scoreFrame(frame);
+  vpPoseSearch search(impl.poseScore, *impl.model, impl.draws++);
+  search.setSymmetries(impl.symmetries.get());
+  search.setPrior(cMo, vpPoseSearch::near(), vpPoseSearch::usualPrior);
+  search.scatter({cMo}, vpPoseSearch::near(), searched);
+  impl.settle(search);
+  search.keepBest(mostFound, vpPoseSearch::same());
+  for (const vpPoseCandidate &candidate : search.candidates()) {
+    impl.twins.push_back({cMo.inverse() * impl.nearestAlike(candidate.cMo), 0.});
   }
 }
 
@@ -172,7 +203,7 @@ double vpMbMultiCueTracker::Impl::believed() const
 {
   double least = 0.;
   for (const Twin &twin : twins) {
-    least = std::min(least, twin.lead);
+    least = std::min(least, twin.lead + negligibleLead);
   }
   const double probability = belief.probability();
   return probability / (probability + (1. - probability) * std::exp(-least));

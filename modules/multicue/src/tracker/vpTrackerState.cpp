@@ -224,7 +224,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   mustConfirm = false;
   past.clear();
   proof = Proof();
-  twins.clear();
+  endTwins();
   turnEffect.reset();
   turns = 0;
   period = 0;

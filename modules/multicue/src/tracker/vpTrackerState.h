@@ -345,9 +345,10 @@ public:
     double lead = 0.;        //!< Of the followed pose before it, as a logarithm of odds.
   };
   std::vector<Twin> twins;
-  unsigned int twinFrames = 0; // In which they were compared.
+  unsigned int twinFrames = 0; // In which they were compared; the most where they no longer are.
   vpEdgeCue plainEdges;        // Without memory.
   void startTwins(const vpHomogeneousMatrix &cMo);
+  void endTwins();
   double surfaceEvidence(const vpHomogeneousMatrix &cMo) const;
   //! Goes back to what was known before the object was found, and on from a pose.
   void startOver(const vpHomogeneousMatrix &cMo);

@@ -436,6 +436,7 @@ private:
   void findAgain(const vpCueFrame &frame);
   void attemptHalfTurned(const vpCueFrame &frame);
   bool refineTwin(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, vpContourEvidence &contours);
+  void searchTwins(const vpCueFrame &frame);
   void weighTwins(const vpCueFrame &frame);
   std::optional<vpHomogeneousMatrix> rightTwin(const vpCueFrame &frame);
   void compareTwins(const vpCueFrame &frame);
