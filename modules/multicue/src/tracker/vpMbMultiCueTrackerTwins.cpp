@@ -82,7 +82,7 @@ bool vpMbMultiCueTracker::refineTwin(const vpCueFrame &frame, const vpHomogeneou
 void vpMbMultiCueTracker::compareTwins(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
-  if (impl.mustConfirm || impl.twinFrames >= mostComparisons) {
+  if (impl.mustConfirm || impl.twinFrames >= mostComparisons || impl.searchBudget.isSpent()) {
     return;
   }
   if (++impl.twinFrames % searchInterval == 0) {
@@ -136,6 +136,10 @@ void vpMbMultiCueTracker::weighTwins(const vpCueFrame &frame)
   const double surfaceOfFollowed = impl.surfaceEvidence(cMo);
   std::vector<Impl::Twin> kept;
   for (Impl::Twin &twin : impl.twins) {
+    if (impl.searchBudget.isSpent()) {
+      kept.push_back(twin);
+      continue;
+    }
     vpContourEvidence other;
     if (!refineTwin(frame, cMo * twin.oMt, other) || impl.sameTrack()(m_cMo, cMo)) {
       continue;
