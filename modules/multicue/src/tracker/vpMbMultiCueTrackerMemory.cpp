@@ -83,7 +83,7 @@ void vpMbMultiCueTracker::Impl::recallLearnt()
 {
   ++framesSinceLoss;
   const std::optional<unsigned int> level = levelToRecall();
-  const bool isUnproven = framesSinceLoss == 1 && (proof.isOpen || proof.hasFailed);
+  const bool isUnproven = framesSinceLoss == 1 && proof.isOpen;
   if (isUnproven) {
     forgetPeriod();
   }

@@ -67,10 +67,13 @@ void vpMbMultiCueTracker::Impl::learnTurnEffect()
 // After the object was found again.
 void vpMbMultiCueTracker::Impl::startProof()
 {
-  proof = Proof();
-  proof.isOpen = surface.texture() > leastTexture;
   const Trusted &from = trustedBefore ? *trustedBefore : trusted;
-  proof.known = std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, from, period});
+  startProof(std::make_shared<const Learnt>(Learnt{color.reference(), surface.reference(), usual, from, period}));
+}
+
+void vpMbMultiCueTracker::Impl::startProof(const std::shared_ptr<const Learnt> &known)
+{
+  proof = {known, surface.texture() > leastTexture};
   ++period;
 }
 

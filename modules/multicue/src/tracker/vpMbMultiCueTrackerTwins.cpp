@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -196,9 +195,7 @@ void vpMbMultiCueTracker::Impl::startOver(const vpHomogeneousMatrix &cMo)
   trusted.cMo = cMo;
   trusted.velocity.setZero();
   trustedFrames = 0;
-  const std::shared_ptr<const Learnt> known = proof.known;
-  startProof();
-  proof.known = known;
+  startProof(proof.known);
   startTwins(cMo);
 }
 

@@ -338,6 +338,8 @@ public:
   };
   Proof proof;
   void startProof();
+  //! By what was known before.
+  void startProof(const std::shared_ptr<const Learnt> &known);
   //! A pose that may be the right one instead of the one that was found.
   struct Twin
   {
