@@ -89,6 +89,7 @@ void addOptions(vpFingerprint &print, const vpViewSphereOptions &options)
     print.add(detail.enabled);
     print.add(detail.minLineLength);
     print.add(detail.minPolygonArea);
+    print.add(detail.tracked);
   }
 }
 } // namespace

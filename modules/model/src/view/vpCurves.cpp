@@ -46,6 +46,27 @@ vpCurves::EdgeSight vpCurves::look(const vpModelEdge &edge) const
   return sight;
 }
 
+bool vpCurves::isTracked(int face) const
+{
+  const std::size_t index = static_cast<std::size_t>(face);
+  return face < 0 || index >= m_options.details.size() || m_options.details[index].tracked;
+}
+
+// An edge is, as long as one of the faces that show it is.
+bool vpCurves::isTracked(const vpModelEdge &edge) const
+{
+  if (m_options.details.empty() || edge.faceCount == 0) {
+    return isTracked(edge.line);
+  }
+  for (int slot = edge.firstFace; slot < edge.firstFace + edge.faceCount; ++slot) {
+    const int face = m_model.edgeFaces()[static_cast<std::size_t>(slot)];
+    if (m_facesSeen[static_cast<std::size_t>(face)] && isTracked(face)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool vpCurves::isLongEnough(const vpModelEdge &edge) const
 {
   if (m_options.details.empty()) {
@@ -80,7 +101,7 @@ void vpCurves::addEdges(vpContourSampler &sampler) const
       const vpModelTopology::Link &link = m_topology.links()[static_cast<std::size_t>(i)];
       const vpModelEdge &edge = m_model.edges()[static_cast<std::size_t>(link.edge)];
       const EdgeSight sight = look(edge);
-      if (!sight.seen || !isLongEnough(edge)) {
+      if (!sight.seen || !isTracked(edge) || !isLongEnough(edge)) {
         sampler.interrupt();
         continue;
       }
@@ -110,7 +131,7 @@ void vpCurves::addLimbs(vpContourSampler &sampler) const
     const Eigen::Vector3d toCamera = m_camera.oC - cylinder.axis[0];
     const Eigen::Vector3d across = toCamera - axis * axis.dot(toCamera);
     const double distance = across.norm();
-    if (!(distance > cylinder.radius)) {
+    if (!(distance > cylinder.radius) || !isTracked(cylinder.face)) {
       name += 2; // Seen from inside or along its axis, a cylinder has no limbs.
       continue;
     }
@@ -142,7 +163,8 @@ void vpCurves::addCircles(vpContourSampler &sampler) const
   for (const vpModelCircle &circle : m_model.circles()) {
     const int edge = name++;
     const double z = m_camera.toCamera(circle.centre).z();
-    if (!m_facesSeen[static_cast<std::size_t>(circle.face)] || z < m_options.nearDistance) {
+    const bool isSeen = m_facesSeen[static_cast<std::size_t>(circle.face)] != 0;
+    if (!isSeen || !isTracked(circle.face) || z < m_options.nearDistance) {
       continue;
     }
     // Chords of four pixels are as good as the circle when it comes to what the image border or a distance cuts off.

@@ -31,6 +31,8 @@ private:
   };
 
   EdgeSight look(const vpModelEdge &edge) const;
+  bool isTracked(int face) const;
+  bool isTracked(const vpModelEdge &edge) const;
   bool isLongEnough(const vpModelEdge &edge) const;
 
   const vpTrackedModel &m_model;

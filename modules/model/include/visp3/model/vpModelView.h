@@ -40,12 +40,13 @@ struct vpContour
   double step = 0.;     //!< Distance of neighbouring control points along it, pixels.
 };
 
-/*! \ingroup group_model_view Level of detail of one face, as ViSP's setLod() has it. */
+/*! \ingroup group_model_view Level of detail of one face, as ViSP's setLod() has it, and whether it is tracked. */
 struct vpFaceDetail
 {
   bool enabled = false;
   double minLineLength = 50.;    //!< Shorter edges are left out, pixels.
   double minPolygonArea = 2500.; //!< Smaller faces are left out, square pixels.
+  bool tracked = true;           //!< False: edges that no other face shows are left out.
 };
 
 /*! \ingroup group_model_view How a view is taken. */
