@@ -47,6 +47,7 @@ TEST_CASE("Settings out of range are named", "[point-cue]")
   checkRefused([](vpPointCueSettings &s) { s.blockSize = 64; }, "blockSize is 64");
   checkRefused([](vpPointCueSettings &s) { s.pyramidLevels = 11; }, "pyramidLevels is 11");
   checkRefused([](vpPointCueSettings &s) { s.maskBorder = 101; }, "maskBorder is 101");
+  checkRefused([](vpPointCueSettings &s) { s.leastWeight = 1.; }, "leastWeight is 1");
 }
 
 TEST_CASE("The parameters of ViSP's tracker are taken over and obeyed", "[point-cue]")
@@ -150,3 +151,50 @@ TEST_CASE("Depth may be drawn smaller", "[point-cue]")
 #else
 #include "pointCueMissing.h"
 #endif
+
+TEST_CASE("A border that is wider than the faces leaves their inner halves", "[point-cue]")
+{
+  const Model model = makeBox();
+  Painter painter(model);
+  vpPointCueSettings settings;
+  settings.minDistance = 3.;
+  settings.maxFeatures = 1000;
+  std::size_t least = 1000;
+  for (const unsigned int border : {0U, 5U, 10U}) {
+    settings.maskBorder = border;
+    Follower follower(model, settings);
+    follower.start(painter.draw(startPose()), startPose());
+    CHECK(follower.cue.pointCount() < least);
+    least = follower.cue.pointCount();
+  }
+  settings.maskBorder = 100;
+  Follower follower(model, settings);
+  follower.start(painter.draw(startPose()), startPose());
+  CHECK(follower.cue.pointCount() > 20);
+  CHECK(follower.cue.pointCount() < 2 * least);
+}
+
+TEST_CASE("New points are only where the filter allows them", "[point-cue]")
+{
+  const Model model = makeBox();
+  Painter painter(model);
+  Follower follower(model);
+  follower.start(painter.draw(startPose()), startPose());
+  const std::size_t everywhere = follower.cue.pointCount();
+  follower.cue.setSurfaceFilter([](const Eigen::Vector3d &position) { return position.x() > 0.; });
+  CHECK(follower.cue.pointCount() == 0);
+  follower.start(painter.draw(startPose()), startPose());
+  follower.match(painter.draw(startPose()), startPose());
+  CHECK(follower.cue.pointCount() > 10);
+  CHECK(follower.cue.pointCount() <= everywhere);
+  for (const vpPointCue::Match &match : follower.cue.matches()) {
+    CHECK(match.position.x() > 0.);
+  }
+  // Settings forget the points and not the filter.
+  follower.cue.setSettings(vpPointCueSettings());
+  follower.start(painter.draw(startPose()), startPose());
+  follower.match(painter.draw(startPose()), startPose());
+  for (const vpPointCue::Match &match : follower.cue.matches()) {
+    CHECK(match.position.x() > 0.);
+  }
+}

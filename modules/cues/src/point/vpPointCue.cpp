@@ -13,8 +13,6 @@ BEGIN_VISP_NAMESPACE
 namespace {
 // What a point's place in the image is uncertain by even where all is well, pixels.
 const double pointNoise = 0.3;
-// Points with less robust weight are called outliers and teach nothing.
-const double outlierWeight = 0.1;
 const std::size_t rowsPerPoint = 2;
 // How far a new point may be from where the pose has it, pixels.
 const double agreement = 2.;
@@ -61,7 +59,9 @@ vpPointCue::~vpPointCue() = default;
 void vpPointCue::setSettings(const vpPointCueSettings &settings)
 {
   settings.check();
+  const SurfaceFilter filter = m_impl->tracks.filter();
   m_impl->tracks = vpPointTracks(settings);
+  m_impl->tracks.setFilter(filter);
 }
 
 const vpPointCueSettings &vpPointCue::settings() const
@@ -72,6 +72,11 @@ const vpPointCueSettings &vpPointCue::settings() const
 void vpPointCue::setDepthSource(const DepthSource &source)
 {
   m_impl->depthSource = source;
+}
+
+void vpPointCue::setSurfaceFilter(const SurfaceFilter &filter)
+{
+  m_impl->tracks.setFilter(filter);
 }
 
 bool vpPointCue::wantsPoints() const
@@ -140,11 +145,12 @@ void vpPointCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vect
         weights.size(), rowsPerPoint * impl.found());
   }
   impl.trusted.clear();
+  const double leastWeight = settings().leastWeight;
   const vpPointCamera camera(cMo, impl.camera);
   std::size_t row = 0;
   for (const Match &match : impl.matches) {
     if (match.found && match.proven) {
-      impl.trusted.push_back(weights[row] > outlierWeight && weights[row + 1] > outlierWeight);
+      impl.trusted.push_back(weights[row] > leastWeight && weights[row + 1] > leastWeight);
       row += rowsPerPoint;
     } else {
       impl.trusted.push_back(match.found && impl.agrees(match, camera));
@@ -164,7 +170,8 @@ void vpPointCue::getFeatures(const vpHomogeneousMatrix &, const std::vector<doub
     feature.v = match.pixel.y();
     feature.state = match.found ? vpFeatureState::GOOD : vpFeatureState::CONTRAST;
     if (match.found && match.proven) {
-      const bool isRefused = row + 1 < weights.size() && std::min(weights[row], weights[row + 1]) <= outlierWeight;
+      const bool isRefused =
+          row + 1 < weights.size() && std::min(weights[row], weights[row + 1]) <= settings().leastWeight;
       feature.state = isRefused ? vpFeatureState::OUTLIER : vpFeatureState::GOOD;
       row += rowsPerPoint;
     }

@@ -38,6 +38,9 @@ const vpPointCueSettings &vpPointCue::settings() const
 void vpPointCue::setDepthSource(const DepthSource &)
 {
 }
+void vpPointCue::setSurfaceFilter(const SurfaceFilter &)
+{
+}
 void vpPointCue::match(const vpCueFrame &, const vpModelView &)
 {
 }

@@ -23,6 +23,7 @@ void vpPointCueSettings::check() const
   require(harris >= 0. && harris <= 1., "harris", harris, "in [0, 1]");
   require(blockSize >= 1 && blockSize <= 63, "blockSize", blockSize, "in [1, 63] pixels");
   require(pyramidLevels >= 0 && pyramidLevels <= 10, "pyramidLevels", pyramidLevels, "in [0, 10]");
+  require(leastWeight >= 0. && leastWeight < 1., "leastWeight", leastWeight, "in [0, 1)");
   require(maskBorder <= 100, "maskBorder", maskBorder, "in [0, 100] pixels");
 }
 

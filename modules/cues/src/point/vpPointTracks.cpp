@@ -25,11 +25,14 @@ const int refreshAge = 10; // Trusted frames.
 const int trialFrames = 2;
 // Masks are looked at once for each block when new points are chosen; a found point is always checked by itself.
 const int maskBlock = 4; // Pixels.
+// Up to this border, pixels, faces that have no room for it have no points.
+const int widestSureBorder = 5;
 } // namespace
 
 void vpPointTracks::forget()
 {
   m_tracks.clear();
+  m_nextId = 0;
   std::fill(m_trackOf.begin(), m_trackOf.end(), -1);
   m_reference.clear();
   m_found = 0;
@@ -89,7 +92,7 @@ void vpPointTracks::expectTracks(const vpCueFrame &frame, const vpModelView &vie
         (view.depth() != nullptr && vpSurfaceReader(*view.depth()).hides(pixel, cX.z()))) {
       continue;
     }
-    matches.push_back({track.surface.position, pixel, false, track.trial == 0});
+    matches.push_back({track.surface.position, pixel, false, track.trial == 0, track.id});
     m_trackOf.push_back(static_cast<int>(i));
     const bool isFollowed = track.misses == 0;
     m_flowOf.push_back(isFollowed ? static_cast<std::ptrdiff_t>(m_flow.size()) : -1);
@@ -239,9 +242,41 @@ void vpPointTracks::markAllowed(const vpSurfaceReader &reader, cv::Mat &mask) co
       }
     }
   }
+  shrink(mask);
+}
+
+// Takes off the border of each face. Where a wide one would leave nothing of a face, its inner half stays: ViSP's
+// trackers, too, go on with a face that is smaller than its border, and a small object would have no points else.
+void vpPointTracks::shrink(cv::Mat &mask) const
+{
   const int border = static_cast<int>(m_settings.maskBorder);
-  const int side = 2 * border + 1;
+  const int sure = std::min(border, widestSureBorder);
+  const int side = 2 * sure + 1;
   cv::erode(mask, mask, cv::Mat::ones(side, side, CV_8U), cv::Point(-1, -1), 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  if (border == sure) {
+    return;
+  }
+  cv::Mat framed, distances, labels;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0)); // What is outside is no face.
+  cv::distanceTransform(framed, distances, cv::DIST_L2, 5, CV_32F);
+  const int faces = cv::connectedComponents(framed, labels, 4, CV_32S);
+  std::vector<float> deepest(static_cast<std::size_t>(faces), 0.F);
+  for (int i = 0; i < framed.rows; ++i) {
+    for (int j = 0; j < framed.cols; ++j) {
+      float &most = deepest[static_cast<std::size_t>(labels.at<int>(i, j))];
+      most = std::max(most, distances.at<float>(i, j));
+    }
+  }
+  const float wanted = static_cast<float>(border - sure);
+  for (int i = 0; i < mask.rows; ++i) {
+    for (int j = 0; j < mask.cols; ++j) {
+      const float most = deepest[static_cast<std::size_t>(labels.at<int>(i + 1, j + 1))];
+      const float needed = most > wanted ? wanted : 0.5F * most;
+      if (distances.at<float>(i + 1, j + 1) <= needed) {
+        mask.at<unsigned char>(i, j) = 0;
+      }
+    }
+  }
 }
 
 void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView &rendered)
@@ -264,7 +299,9 @@ void vpPointTracks::addTracks(const vpPointCamera &camera, const vpRenderedView 
     Track track;
     track.pixel = m_reference.inImage(corner);
     if (m_reference.contains(track.pixel, patchRoom) && reader.read(camera, track.pixel, track.surface) &&
-        track.surface.isFacing(camera, camera.toCamera(track.surface.position))) {
+        track.surface.isFacing(camera, camera.toCamera(track.surface.position)) &&
+        (!m_filter || m_filter(track.surface.position))) {
+      track.id = m_nextId++;
       track.first.across = track.surface.across;
       track.first.patch.take(m_reference.pixels(), corner);
       track.trial = isStart ? 0 : trialFrames;

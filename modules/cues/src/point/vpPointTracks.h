@@ -18,6 +18,13 @@ public:
   explicit vpPointTracks(const vpPointCueSettings &settings) : m_settings(settings) { forget(); }
 
   const vpPointCueSettings &settings() const { return m_settings; }
+  //! Where new points may lie; forgets those that are known.
+  void setFilter(const vpPointCue::SurfaceFilter &filter)
+  {
+    m_filter = filter;
+    forget();
+  }
+  const vpPointCue::SurfaceFilter &filter() const { return m_filter; }
   std::size_t size() const { return m_tracks.size(); }
   //! True where learn() will ask for depth.
   bool wantsPoints() const { return m_wantsPoints; }
@@ -50,6 +57,7 @@ private:
     Eigen::Vector2d pixel; // In the reference image.
     int misses = 0;        // Trusted frames since it was found.
     int trial = 0;         // Trusted frames that it has to agree with yet.
+    int id = 0;
   };
 
   bool lacksPoints() const;
@@ -63,7 +71,10 @@ private:
   void addTracks(const vpPointCamera &camera, const vpRenderedView &rendered);
   void markAllowed(const vpSurfaceReader &reader, cv::Mat &mask) const;
 
+  void shrink(cv::Mat &mask) const;
+
   vpPointCueSettings m_settings;
+  vpPointCue::SurfaceFilter m_filter;
   vpCameraParameters m_camera;
   cv::Size m_imageSize;
   std::vector<Track> m_tracks;
@@ -74,6 +85,7 @@ private:
   std::size_t m_found = 0;
   std::size_t m_fullCount = 0; // Points after the last refresh.
   int m_age = 0;               // Trusted frames since.
+  int m_nextId = 0;            // Of the next new point.
   bool m_hasStarted = false;   // Points were looked for since forget().
 
   vpPointFlow m_flow;

@@ -20,8 +20,10 @@ struct VISP_EXPORT vpPointCueSettings
   int blockSize = 3;           //!< Side of the window for the corner's strength, pixels, [1, 63].
   int pyramidLevels = 3;       //!< Levels of the image pyramid above the image itself, as in ViSP, [0, 10].
   unsigned int maskBorder = 5; //!< Points closer than this to the silhouette, a crease or a step of the depth are left
-                               //!< out, pixels, [0, 100].
+                               //!< out, pixels, [0, 100]. Above the default, a face without room for it keeps its
+                               //!< inner half.
   bool useHarris = true;       //!< Harris' measure of corners ([P14] III-C); false: Shi and Tomasi's.
+  double leastWeight = 0.1;    //!< Points with a smaller robust weight are outliers and teach nothing, [0, 1).
 
   //! Takes over all that a vpKltOpencv says. \throw vpException naming the first member out of range.
   template <class Klt> void set(const Klt &klt)
@@ -73,6 +75,7 @@ public:
     //! A new point has to agree with the pose of other points and cues for some frames before it gives rows: what
     //! passes in front of the object has points too.
     bool proven = true;
+    int id = -1; //!< Number of the point, as long as it is known.
   };
   //! \return Depth of the object at a pose for the image of the last match(), any scale; null where it cannot be had.
   using DepthSource = std::function<const vpRenderedView *(const vpHomogeneousMatrix &cMo)>;
@@ -90,6 +93,10 @@ public:
   const vpPointCueSettings &settings() const;
   //! \param source Draws the object's depth, see above; empty: no new points.
   void setDepthSource(const DepthSource &source);
+  //! \return True where points may lie. \param position On the surface, object frame, metres.
+  using SurfaceFilter = std::function<bool(const Eigen::Vector3d &position)>;
+  //! Leaves parts of the surface out, and forgets the points. \param filter Empty: points may lie everywhere.
+  void setSurfaceFilter(const SurfaceFilter &filter);
 
   //! \e view has to be of the pose that is expected: pose() and, where it has one, depth() of it are used. A frame of
   //! another size or camera than the one before makes the cue forget its points.
