@@ -52,9 +52,10 @@ void drawModel(cv::Mat &image, vpMbMultiCueTracker &tracker, const cv::Scalar &c
 
 void drawFeatures(cv::Mat &image, vpMbMultiCueTracker &tracker)
 {
-  // Each feature is its kind, row, column and state.
+  // Each feature is its kind, row, column and, but for points, state.
   for (const std::vector<double> &feature : tracker.getFeaturesForDisplay()) {
-    const bool isUsed = static_cast<int>(feature[3]) == vpMeSite::NO_SUPPRESSION;
+    const bool isPoint = feature[0] > 0.;
+    const bool isUsed = isPoint || static_cast<int>(feature[3]) == vpMeSite::NO_SUPPRESSION;
     cv::circle(image, pixel(feature[1], feature[2]), 1, isUsed ? white : red, cv::FILLED);
   }
 }

@@ -254,8 +254,8 @@ TEST_CASE("Moving-edge parameters are honoured and told in both scales", "[track
   me.setThreshold(20.);
   tracker.setMovingEdge(me, vpEdgeCueSettings::CONTRAST);
   CHECK(tracker.getEdgeSettings().contrast == 20.);
-  tracker.resetTracker();
-  CHECK(tracker.getMovingEdge().getRange() == 10);
+  tracker.resetTracker(); // Keeps them, as ViSP's trackers do.
+  CHECK(tracker.getMovingEdge().getRange() == 12);
 }
 
 TEST_CASE("A jump of the light does not lose the object", "[tracker]")

@@ -119,7 +119,7 @@ TEST_CASE("Poses that cannot be are refused, and the last good one stays", "[tra
   CHECK_THAT(messageOf([&] { f.tracker.initFromPose(f.I, behind); }), ContainsSubstring("behind the camera"));
   vpHomogeneousMatrix beside = renderedBox::pose();
   beside[0][3] = 2.;
-  CHECK_THAT(messageOf([&] { f.tracker.setPose(f.I, beside); }), ContainsSubstring("outside the image"));
+  CHECK_THAT(messageOf([&] { f.tracker.initFromPose(f.I, beside); }), ContainsSubstring("outside the image"));
   vpHomogeneousMatrix broken = renderedBox::pose();
   broken[0][3] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THAT(messageOf([&] { f.tracker.initFromPose(f.I, broken); }), ContainsSubstring("not finite"));

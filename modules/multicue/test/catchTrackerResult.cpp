@@ -63,7 +63,7 @@ void checkAgainstGetters(const vpMbMultiCueTracker &tracker, const vpMbTrackingR
 TEST_CASE("A result says that there is none before an image was tracked", "[tracker]")
 {
   renderedBox box;
-  vpMbMultiCueTracker tracker(edge | klt | color);
+  vpMbMultiCueTracker tracker(1, edge | klt | color);
   checkAgainstGetters(tracker, tracker.getTrackingResult());
   prepare(tracker, edge | klt | color);
   CHECK(tracker.getTrackingResult().text == "no initial pose was given");

@@ -16,6 +16,15 @@ void vpCueFusion::add(int type, const vpPoseCue &cue)
   part.block.rows.clear();
   part.weights.clear();
   part.scale = 0.;
+  part.factor = 1.;
+}
+
+void vpCueFusion::setFactor(int type, double factor)
+{
+  for (std::size_t i = 0; i < m_count; ++i) {
+    Part &part = m_parts[i].part;
+    part.factor = part.type == type ? factor : part.factor;
+  }
 }
 
 unsigned int vpCueFusion::cueRows() const
@@ -118,7 +127,7 @@ void vpCueFusion::weigh(const Weigh &weigh, vpColVector &error, vpMatrix &L, vpC
     const double scale = memory.robust.getMedianAbsoluteDeviation();
     memory.part.scale = scale;
     reference = reference > 0. ? reference : scale;
-    const double factor = reference / scale;
+    const double factor = memory.part.factor * reference / scale;
     unsigned int own = 0;
     for (std::size_t row = 0; row < memory.part.block.rows.size(); ++row) {
       w[k] = memory.w[own++];

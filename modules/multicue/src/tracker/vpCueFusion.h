@@ -33,6 +33,7 @@ public:
     vpResidualBlock block;
     std::vector<double> weights; //!< Robust weights of the block's rows.
     double scale = 0.;           //!< That its errors were divided by.
+    double factor = 1.;          //!< That its rows are multiplied by, as the user wants it.
   };
   //! ViSP's robust weights of a cue's errors.
   using Weigh = std::function<void(vpRobust &robust, const vpColVector &error, vpColVector &w)>;
@@ -62,6 +63,8 @@ public:
   }
   //! True where a feature showed what setVisibleMotions() said that outlines do not.
   bool showsAll() const;
+  //! \param factor Of a cue of that type, where it takes part; 1 by default.
+  void setFactor(int type, double factor);
   //! Number of rows of the cues alone.
   unsigned int cueRows() const;
 

@@ -27,6 +27,13 @@ Eigen::Vector2d gradientAt(const vpImage<unsigned char> &I, int row, int column)
   }
   return gradient;
 }
+
+double angle(const Eigen::Vector2d &gradient, const Eigen::Vector2d &normal)
+{
+  const double along = std::fabs(gradient.dot(normal));
+  const double across = std::fabs(gradient.x() * normal.y() - gradient.y() * normal.x());
+  return along > 0. ? std::atan2(across, along) : 0.5 * M_PI; // No gradient: nothing is seen.
+}
 } // namespace
 
 double vpGradientAngle::mean(const vpImage<unsigned char> &I, const vpModelView &view, const vpCameraParameters &cam)
@@ -46,13 +53,35 @@ double vpGradientAngle::mean(const vpImage<unsigned char> &I, const vpModelView 
         column + half >= static_cast<int>(I.getWidth())) {
       continue;
     }
-    const Eigen::Vector2d gradient = gradientAt(I, row, column);
-    const double along = std::fabs(gradient.dot(point.normal));
-    const double across = std::fabs(gradient.x() * point.normal.y() - gradient.y() * point.normal.x());
-    sum += along > 0. ? std::atan2(across, along) : 0.5 * M_PI; // No gradient: nothing is seen.
+    sum += angle(gradientAt(I, row, column), point.normal);
     ++count;
   }
   return count > 0 ? vpMath::deg(sum / count) : 90.;
+}
+
+void vpGradientAngle::Mean::add(double u, double v, const Eigen::Vector2d &normal)
+{
+  const int room = static_cast<int>(m_sobelX.getRows()) / 2;
+  const int row = static_cast<int>(std::lround(v));
+  const int column = static_cast<int>(std::lround(u));
+  if (row < room || column < room || row + room >= static_cast<int>(m_I.getHeight()) ||
+      column + room >= static_cast<int>(m_I.getWidth())) {
+    return;
+  }
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+  for (unsigned int i = 0; i < m_sobelX.getRows(); ++i) {
+    const unsigned char *pixels = m_I[static_cast<unsigned int>(row - room) + i] + (column - room);
+    for (unsigned int j = 0; j < m_sobelX.getCols(); ++j) {
+      gradient += pixels[j] * Eigen::Vector2d(m_sobelX[i][j], m_sobelY[i][j]);
+    }
+  }
+  m_sum += angle(gradient, normal);
+  ++m_count;
+}
+
+double vpGradientAngle::Mean::degrees() const
+{
+  return m_count > 0 ? vpMath::deg(m_sum / m_count) : 90.;
 }
 
 END_VISP_NAMESPACE

@@ -32,7 +32,7 @@ vpMbMultiCueTracker::vpMbMultiCueTracker() : vpMbMultiCueTracker(EDGE_TRACKER)
 {
 }
 
-vpMbMultiCueTracker::vpMbMultiCueTracker(int type) : m_impl(std::make_unique<Impl>())
+vpMbMultiCueTracker::vpMbMultiCueTracker(vpTrackerType type) : m_impl(std::make_unique<Impl>())
 {
   setTrackerType(type);
 }
@@ -68,23 +68,15 @@ template <typename Pixel> void vpMbMultiCueTracker::startOn(const vpImage<Pixel>
 {
   start(I.getWidth(), I.getHeight());
   learnStart(m_impl->source.frame(I, m_cam, m_mask));
+  followFaces(I.getWidth(), I.getHeight());
 }
+
+template void vpMbMultiCueTracker::startOn(const vpImage<unsigned char> &I);
+template void vpMbMultiCueTracker::startOn(const vpImage<vpRGBa> &I);
 
 void vpMbMultiCueTracker::init(const vpImage<unsigned char> &I)
 {
   startOn(I);
-}
-
-void vpMbMultiCueTracker::setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo)
-{
-  m_cMo = cdMo;
-  startOn(I);
-}
-
-void vpMbMultiCueTracker::setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo)
-{
-  m_cMo = cdMo;
-  startOn(I_color);
 }
 
 template <typename Pixel> void vpMbMultiCueTracker::trackImage(const vpImage<Pixel> &I)
@@ -95,14 +87,14 @@ template <typename Pixel> void vpMbMultiCueTracker::trackImage(const vpImage<Pix
   m_impl->searchBudget.startFrame();
   timings = vpTrackingTimings();
   const vpStopwatch whole(timings.total);
-  const auto frame = [this, &I, &timings] {
+  const auto makeFrame = [this, &I, &timings] {
     const vpStopwatch stage(timings.frame);
     return m_impl->source.frame(I, m_cam, m_mask);
   };
-  trackFrame(frame());
-  if (computeProjError) {
-    projectionError = computeCurrentProjectionError(I, m_cMo, m_cam);
-  }
+  const vpCueFrame frame = makeFrame();
+  trackFrame(frame);
+  updateProjectionError(frame);
+  followFaces(I.getWidth(), I.getHeight());
 }
 
 void vpMbMultiCueTracker::track(const vpImage<unsigned char> &I)

@@ -26,6 +26,7 @@ void vpMbMultiCueTracker::setTrackerType(int type)
     m_impl->type = typeBefore;
     throw;
   }
+  updatePointFilter();
 }
 
 int vpMbMultiCueTracker::getTrackerType() const
@@ -93,7 +94,10 @@ vpKltOpencv vpMbMultiCueTracker::getKltOpencv() const
 
 void vpMbMultiCueTracker::setKltMaskBorder(const unsigned int &border)
 {
-  m_impl->klt.maskBorder = border;
+  vpPointCueSettings settings = m_impl->klt;
+  settings.maskBorder = border;
+  settings.check();
+  m_impl->klt = settings;
   m_impl->makeCues();
 }
 

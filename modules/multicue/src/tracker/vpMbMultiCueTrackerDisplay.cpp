@@ -2,6 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpDistortedPoint.h"
+#include "tracker/vpFeatureForDisplay.h"
 #include "tracker/vpGradientAngle.h"
 #include "tracker/vpTrackerState.h"
 
@@ -50,7 +51,7 @@ unsigned int vpMbMultiCueTracker::getNbFeaturesEdge() const
 
 unsigned int vpMbMultiCueTracker::getNbFeaturesKlt() const
 {
-  return getNbFeatures(KLT_TRACKER) / 2; // Two rows each.
+  return getNbFeatures(KLT_TRACKER);
 }
 
 unsigned int vpMbMultiCueTracker::getNbFeaturesColor() const
@@ -60,27 +61,8 @@ unsigned int vpMbMultiCueTracker::getNbFeaturesColor() const
 
 unsigned int vpMbMultiCueTracker::getNbPoints(unsigned int level) const
 {
-  if (level != 0) {
-    throw vpException(vpException::badValue, "Level %u of the image pyramid is not used: ask for level 0", level);
-  }
-  return m_impl->good;
-}
-
-std::vector<std::vector<double>> vpMbMultiCueTracker::getFeaturesForDisplay()
-{
-  std::vector<vpCueFeature> features;
-  for (std::size_t i = 0; i < m_impl->fusion.size(); ++i) {
-    std::vector<vpCueFeature> own;
-    m_impl->fusion[i].cue->getFeatures(m_cMo, m_impl->fusion[i].weights, own);
-    features.insert(features.end(), own.begin(), own.end());
-  }
-  std::vector<std::vector<double>> result;
-  result.reserve(features.size());
-  for (const vpCueFeature &feature : features) {
-    const vpImagePoint point = vpDistortedPoint::of(Eigen::Vector2d(feature.u, feature.v), m_cam);
-    result.push_back({0., point.get_i(), point.get_j(), static_cast<double>(feature.state)});
-  }
-  return result;
+  requireLevel(level);
+  return m_impl->supportOf[Impl::indexOf(EDGE_TRACKER)].good;
 }
 
 std::vector<std::vector<double>> vpMbMultiCueTracker::getModelForDisplay(unsigned int width, unsigned int height,
@@ -96,6 +78,9 @@ std::vector<std::vector<double>> vpMbMultiCueTracker::getModelForDisplay(unsigne
   options.sampleStep = displayStep;
   options.border = 0.;
   options.allEdges = displayFullModel;
+  for (vpFaceDetail &detail : options.details) {
+    detail.tracked = true; // What takes no part is shown as well.
+  }
   vpModelView &view = *m_impl->displayView;
   view.continueFrom(*m_impl->view); // Faces are shown as long as they are tracked.
   view.compute(cMo, cam, width, height, options, displayFullModel ? nullptr : m_impl->renderer.get());
@@ -128,9 +113,8 @@ void vpMbMultiCueTracker::displayOn(const vpImage<Pixel> &I, const vpHomogeneous
     vpDisplay::displayLine(I, vpImagePoint(line[1], line[2]), vpImagePoint(line[3], line[4]), col, thickness);
   }
   if (displayFeatures) {
-    for (const std::vector<double> &feature : getFeaturesForDisplay()) {
-      vpDisplay::displayCross(I, vpImagePoint(feature[1], feature[2]), 3,
-                              colorOf(static_cast<vpFeatureState>(static_cast<int>(feature[3]))), 1);
+    for (const Feature &feature : featuresForDisplay()) {
+      vpDisplay::displayCross(I, feature.place, 3, colorOf(feature.state), 1);
     }
   }
 }
@@ -154,6 +138,7 @@ double vpMbMultiCueTracker::computeCurrentProjectionError(const vpImage<unsigned
 {
   m_impl->requireModel();
   if (!m_impl->hasMesh) {
+    m_projectionErrorCam = vpCameraParameters(0.5, 0.5, 0., 0.); // Another one: getLline() may have set theirs.
     return vpMbTracker::computeCurrentProjectionError(I, cMo, cam);
   }
   vpModelView view(*m_impl->view);

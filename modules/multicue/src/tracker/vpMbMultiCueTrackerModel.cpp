@@ -7,33 +7,11 @@
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpException.h>
-#include <visp3/mbt/vpMbtDistanceCircle.h>
-#include <visp3/mbt/vpMbtDistanceCylinder.h>
-#include <visp3/mbt/vpMbtDistanceLine.h>
 #include <visp3/model/vpModelReader.h>
 
 #include <iostream>
 
 BEGIN_VISP_NAMESPACE
-
-namespace {
-template <typename T> void deleteAll(std::vector<T *> &primitives)
-{
-  for (T *primitive : primitives) {
-    delete primitive;
-  }
-  primitives.clear();
-}
-} // namespace
-
-void vpMbMultiCueTracker::forgetPrimitives()
-{
-  faces.reset();
-  m_projectionErrorFaces.reset();
-  deleteAll(m_projectionErrorLines);
-  deleteAll(m_projectionErrorCylinders);
-  deleteAll(m_projectionErrorCircles);
-}
 
 vpTrackedModelBuilder vpMbMultiCueTracker::collect(const vpTrackedModelBuilder &before, const std::string &modelFile,
                                                    const vpHomogeneousMatrix &odTo) const
@@ -54,13 +32,19 @@ void vpMbMultiCueTracker::loadModel(const std::string &modelFile, bool verbose, 
   takeModel(std::move(parts), std::move(loaded), modelFile, verbose, odTo);
 }
 
-void vpMbMultiCueTracker::replaceModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo)
+template <typename Pixel>
+void vpMbMultiCueTracker::replaceModel(const vpImage<Pixel> &I, const std::string &modelFile,
+                                       const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
 {
   vpTrackedModelBuilder parts = collect(vpTrackedModelBuilder(m_impl->modelOptions), modelFile, odTo);
   vpTrackedModel loaded = parts.build(modelFile);
+  // What a start needs, while the old model is there yet; the frame is asked for what it says of the mask.
+  requireStart(I.getWidth(), I.getHeight(), loaded, cMo);
+  m_impl->source.frame(I, m_cam, m_mask);
   forgetPrimitives();
   m_impl->hasMesh = false;
   m_impl->symmetries.forget();
+  m_impl->untracked = Impl::Untracked();
   takeModel(std::move(parts), std::move(loaded), modelFile, verbose, odTo);
 }
 
@@ -84,6 +68,7 @@ void vpMbMultiCueTracker::takeModel(vpTrackedModelBuilder &&parts, vpTrackedMode
     vpMbTracker::setMinPolygonAreaThresh(minPolygonAreaThresholdGeneral);
   }
   updateDetails();
+  updatePointFilter();
   if (verbose) {
     std::cout << m_impl->model->report() << std::flush;
   }
@@ -122,7 +107,8 @@ void vpMbMultiCueTracker::updateDetails()
       detail.minLineLength = polygon.minLineLengthThresh;
       detail.minPolygonArea = polygon.minPolygonAreaThresh;
     }
-    any = any || detail.enabled;
+    detail.tracked = m_impl->untracked.edges.count(face.name) == 0;
+    any = any || detail.enabled || !detail.tracked;
     details.push_back(detail);
   }
   if (!any) {
@@ -161,32 +147,35 @@ std::shared_ptr<const vpTrackedModel> vpMbMultiCueTracker::getModel() const
 void vpMbMultiCueTracker::reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
                                       const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  replaceModel(modelFile, verbose, odTo);
+  replaceModel(I, modelFile, cMo, verbose, odTo);
   initFromPose(I, cMo);
 }
 
 void vpMbMultiCueTracker::reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile,
                                       const vpHomogeneousMatrix &cMo, bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  replaceModel(modelFile, verbose, odTo);
+  replaceModel(I_color, modelFile, cMo, verbose, odTo);
   initFromPose(I_color, cMo);
 }
 
+// What ViSP's trackers keep (camera, moving edges), and all settings of the cues.
 void vpMbMultiCueTracker::resetTracker()
 {
+  vpMultiCueSettings settings = currentSettings();
+  settings.symmetries.clear(); // They are the model's.
+  settings.symmetricObject = vpMultiCueSettings().symmetricObject;
+  std::unique_ptr<Impl> before = std::move(m_impl);
+  m_impl = std::make_unique<Impl>();
   forgetPrimitives();
   modelInitialised = false;
   modelFileName.clear();
   m_cMo.eye();
-  m_cam = vpCameraParameters();
   m_error.resize(0);
   m_w.resize(0);
   covarianceMatrix.resize(0, 0);
-  computeCovariance = false;
-  computeProjError = false;
   projectionError = 90.;
-  displayFeatures = false;
-  m_mask = nullptr;
+  applySettings(settings);
+  m_impl->take(*before);
   oJo.eye(6);
   m_isoJoIdentity = true;
   angleAppears = vpMath::rad(89.);
@@ -205,9 +194,6 @@ void vpMbMultiCueTracker::resetTracker()
   m_maxIter = 30;
   m_stopCriteriaEpsilon = 1e-8;
   m_initialMu = 0.01;
-  const int type = m_impl->type;
-  m_impl = std::make_unique<Impl>();
-  m_impl->type = type;
 }
 
 END_VISP_NAMESPACE

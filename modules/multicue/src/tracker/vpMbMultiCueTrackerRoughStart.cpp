@@ -107,7 +107,9 @@ bool vpMbMultiCueTracker::startRoughlyOn(const vpImage<Pixel> &I, const std::vec
   start(I.getWidth(), I.getHeight());
   impl.rough.candidates = candidates;
   impl.rough.spread = vpRoughStart::spreadOf(deviation, impl.model->diameter());
-  return searchStart(impl.source.frame(I, m_cam, m_mask));
+  const bool isAccepted = searchStart(impl.source.frame(I, m_cam, m_mask));
+  followFaces(I.getWidth(), I.getHeight());
+  return isAccepted;
 }
 
 // How well the image agrees with the pose that was estimated last; edges are seen in any light, colours are not.

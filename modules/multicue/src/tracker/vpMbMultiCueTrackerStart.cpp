@@ -9,44 +9,45 @@ void vpMbMultiCueTracker::initClick(const vpImage<vpRGBa> &I_color, const std::s
                                     const vpHomogeneousMatrix &T)
 {
   vpMbTracker::initClick(I_color, initFile, displayHelp, T);
-  setPose(I_color, vpHomogeneousMatrix(m_cMo));
+  startOn(I_color);
 }
 
 void vpMbMultiCueTracker::initClick(const vpImage<vpRGBa> &I_color, const std::vector<vpPoint> &points3D_list,
                                     const std::string &displayFile)
 {
   vpMbTracker::initClick(I_color, points3D_list, displayFile);
-  setPose(I_color, vpHomogeneousMatrix(m_cMo));
+  startOn(I_color);
 }
 
 void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const std::string &initFile)
 {
   vpMbTracker::initFromPoints(I_color, initFile);
-  setPose(I_color, vpHomogeneousMatrix(m_cMo));
+  startOn(I_color);
 }
 
 void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const std::vector<vpImagePoint> &points2D_list,
                                          const std::vector<vpPoint> &points3D_list)
 {
   vpMbTracker::initFromPoints(I_color, points2D_list, points3D_list);
-  setPose(I_color, vpHomogeneousMatrix(m_cMo));
+  startOn(I_color);
 }
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const std::string &initFile)
 {
   vpMbTracker::initFromPose(I_color, initFile);
-  setPose(I_color, vpHomogeneousMatrix(m_cMo));
+  startOn(I_color);
 }
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo)
 {
-  setPose(I_color, cMo);
+  m_cMo = cMo;
+  startOn(I_color);
 }
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const vpPoseVector &cPo)
 {
   vpMbTracker::initFromPose(I_color, cPo);
-  setPose(I_color, vpHomogeneousMatrix(m_cMo));
+  startOn(I_color);
 }
 
 END_VISP_NAMESPACE

@@ -25,6 +25,9 @@ const double convergedMotion = 0.005; // Pixels.
 void vpMbMultiCueTracker::computeVVSInit()
 {
   const unsigned int rows = m_impl->fusion.start(m_cMo);
+  for (const auto &[cue, factor] : m_impl->featureFactors) {
+    m_impl->fusion.setFactor(cue, factor);
+  }
   m_L.resize(rows, 6, false, false);
   m_error.resize(rows, false);
   m_w.resize(rows, false);

@@ -51,6 +51,19 @@ void vpMbMultiCueTracker::Impl::updateMe()
   me.setSampleStep(viewOptions.sampleStep);
 }
 
+void vpMbMultiCueTracker::Impl::take(const Impl &before)
+{
+  me = before.me; // As the user gave it, and not as the edges' settings say it.
+  modelOptions = before.modelOptions;
+  preference = before.preference;
+  throwOnLoss = before.throwOnLoss;
+  rangeIsPredicted = before.rangeIsPredicted;
+  displayHypotheses = before.displayHypotheses;
+  particles.isDisplayed = before.particles.isDisplayed;
+  featureFactors = before.featureFactors;
+  rough.detector = before.rough.detector;
+}
+
 const vpTrackedModel &vpMbMultiCueTracker::Impl::requireModel() const
 {
   if (!model) {

@@ -30,7 +30,9 @@
 #include <visp3/se3/vpPoseKalmanFilter.h>
 
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
 BEGIN_VISP_NAMESPACE
 
@@ -223,6 +225,17 @@ public:
   bool predicts = false;           // With the Kalman filter.
   double frameInterval = 1. / 30.; // Seconds.
   bool displayHypotheses = false;
+  std::map<int, double> featureFactors; // By cue; 1 for those that are not in it.
+  //! Names of the model's faces that take no part.
+  struct Untracked
+  {
+    std::set<std::string> edges;
+    std::set<std::string> points;
+  };
+  Untracked untracked;
+  bool filtersPoints = false; // By them.
+  //! Takes over the settings that vpMultiCueSettings has not.
+  void take(const Impl &before);
 
   // Model and what is derived from it.
   std::unique_ptr<vpTrackedModelBuilder> parts; // What loadModel() added up to now.

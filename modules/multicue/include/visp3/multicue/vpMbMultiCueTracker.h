@@ -4,10 +4,9 @@
 
 #include <visp3/cues/vpColorCueSettings.h>
 #include <visp3/cues/vpImageRegion.h>
-#include <visp3/klt/vpKltOpencv.h>
-#include <visp3/mbt/vpMbTracker.h>
 #include <visp3/model/vpModelSymmetries.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
+#include <visp3/multicue/vpMbOneCamera.h>
 #include <visp3/multicue/vpMbTrackingResult.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
 #include <visp3/multicue/vpParticleSettings.h>
@@ -27,7 +26,8 @@ class vpPoseSearch;
   \ingroup group_multicue
   Follows the pose of a known rigid object in a camera's images: takes the place of vpMbGenericTracker with one camera.
 
-  An existing program changes the class name and the header. Besides .cao and .wrl models, loadModel() takes meshes
+  An existing program changes the class name and the header; \ref multicue_coming tells what differs. Besides .cao and
+  .wrl models, loadModel() takes meshes
   (.obj .ply .stl .dae .gltf .glb), whose edges are found by themselves; hidden lines are always removed, curved
   surfaces are tracked by their rims, and images of a camera with lens distortion are undistorted inside.
 
@@ -37,10 +37,10 @@ class vpPoseSearch;
   shows never makes track() throw, unless setThrowOnLoss() asks for it: getTrackingState() tells how it went. Wrong
   arguments and files do throw, with a text that says what to do, and leave the tracker as it was.
 */
-class VISP_EXPORT vpMbMultiCueTracker : public vpMbTracker
+class VISP_EXPORT vpMbMultiCueTracker : public vpMbOneCamera
 {
 public:
-  //! Kinds of features, with the values of vpMbGenericTracker::vpTrackerType.
+  //! Kinds of features, with the values of vpMbGenericTracker::vpTrackerType; their sums by | are of this type, too.
   enum vpTrackerType
   {
     EDGE_TRACKER = 1 << 0, //!< Edges of the model.
@@ -50,11 +50,35 @@ public:
 
   //! Same as vpMbMultiCueTracker(EDGE_TRACKER).
   vpMbMultiCueTracker();
-  //! \param type See setTrackerType().
-  explicit vpMbMultiCueTracker(int type);
+  //! \param type A value of vpTrackerType, or several joined by |.
+  explicit vpMbMultiCueTracker(vpTrackerType type);
+  //! As vpMbGenericTracker's: a number is one of cameras and not of cues. \param nbCameras \throw vpException unless 1.
+  explicit vpMbMultiCueTracker(unsigned int nbCameras);
+  //! \param nbCameras Must be 1. \param trackerType See setTrackerType().
+  vpMbMultiCueTracker(unsigned int nbCameras, int trackerType);
+  //! \param trackerTypes One, see setTrackerType().
+  explicit vpMbMultiCueTracker(const std::vector<int> &trackerTypes);
+  //! \param cameraNames The camera's name. \param trackerTypes Likewise.
+  vpMbMultiCueTracker(const std::vector<std::string> &cameraNames, const std::vector<int> &trackerTypes);
   ~vpMbMultiCueTracker() override;
   vpMbMultiCueTracker(const vpMbMultiCueTracker &) = delete;
   vpMbMultiCueTracker &operator=(const vpMbMultiCueTracker &) = delete;
+
+  // Other calls of these names, of vpMbTracker, vpMbTrackerCalls and vpMbOneCamera.
+  using vpMbOneCamera::display;
+  using vpMbOneCamera::getFeaturesForDisplay;
+  using vpMbOneCamera::getKltOpencv;
+  using vpMbOneCamera::getModelForDisplay;
+  using vpMbOneCamera::getNbPoints;
+  using vpMbOneCamera::loadConfigFile;
+  using vpMbOneCamera::loadModel;
+  using vpMbOneCamera::reInitModel;
+  using vpMbOneCamera::setCameraParameters;
+  using vpMbOneCamera::setKltMaskBorder;
+  using vpMbOneCamera::setKltOpencv;
+  using vpMbOneCamera::setPose;
+  using vpMbOneCamera::setTrackerType;
+  using vpMbOneCamera::track;
 
   /** @name Model */
   //@{
@@ -85,12 +109,14 @@ public:
   */
   void setSymmetries(const vpModelSymmetries &symmetries);
   const vpModelSymmetries &getSymmetries() const;
-  //! Replaces the model by another one and starts it at a pose.
-  virtual void reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile,
-                           const vpHomogeneousMatrix &cMo, bool verbose = false,
-                           const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix());
-  virtual void reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
-                           bool verbose = false, const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix());
+  //! Replaces the model by another one and starts it at a pose. \throw vpException as loadModel() and init(); the old
+  //! model is then tracked on.
+  void reInitModel(const vpImage<unsigned char> &I, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
+                   bool verbose = false, const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix()) override;
+  void reInitModel(const vpImage<vpRGBa> &I_color, const std::string &modelFile, const vpHomogeneousMatrix &cMo,
+                   bool verbose = false, const vpHomogeneousMatrix &odTo = vpHomogeneousMatrix()) override;
+  void addCircle(const vpPoint &P1, const vpPoint &P2, const vpPoint &P3, double r,
+                 const std::string &name = "") override;
   //@}
 
   /** @name Tracking */
@@ -101,9 +127,9 @@ public:
     outside the image; the pose before stays.
   */
   void init(const vpImage<unsigned char> &I) override;
-  using vpMbTracker::initClick;
-  using vpMbTracker::initFromPoints;
-  using vpMbTracker::initFromPose;
+  using vpMbOneCamera::initClick;
+  using vpMbOneCamera::initFromPoints;
+  using vpMbOneCamera::initFromPose;
   /** @name Starts on colour images: as vpMbTracker's, and the colours that the image shows there are learnt. */
   //@{
   void initClick(const vpImage<vpRGBa> &I_color, const std::string &initFile, bool displayHelp = false,
@@ -155,7 +181,11 @@ public:
   */
   void setPoseHint(const vpHomogeneousMatrix &cMo, const vpPoseDeviation &deviation = vpPoseDeviation());
   //@}
-  //! Moves the tracker to another pose, as init() does.
+  /*!
+    Moves the tracker to another pose, as init() does. A pose that no camera can see the object at, such as a detector
+    may give, does not throw: the state is LOST and tells why, and the last good pose stays.
+    \throw vpException where there is no model, the image is empty, or the pose is not finite or not rigid.
+  */
   void setPose(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cdMo) override;
   void setPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cdMo) override;
   /*!
@@ -177,7 +207,10 @@ public:
   void testTracking() override;
   //! Makes track() throw as testTracking() does, as ViSP's trackers do. Off by default.
   void setThrowOnLoss(bool flag);
-  //! Forgets model, pose and all that was learnt; settings go back to their defaults.
+  /*!
+    Forgets model, pose, symmetries and all that was learnt. Camera, moving edges, cues and their settings stay; angles,
+    clipping, level of detail and the estimation's settings go back to their defaults, as in ViSP.
+  */
   void resetTracker() override;
   //@}
 
@@ -189,10 +222,12 @@ public:
     Chooses the cues; may be called between frames. \param type Sum of vpTrackerType values. \throw vpException for
     other values, and for points where the library was built without OpenCV's video, features2d or calib3d module.
   */
-  virtual void setTrackerType(int type);
-  virtual int getTrackerType() const;
-  virtual void setMovingEdge(const vpMe &me);
-  virtual vpMe getMovingEdge() const;
+  void setTrackerType(int type) override;
+  int getTrackerType() const override;
+  using vpMbOneCamera::getMovingEdge;
+  using vpMbOneCamera::setMovingEdge;
+  void setMovingEdge(const vpMe &me) override;
+  vpMe getMovingEdge() const override;
   virtual void getMovingEdge(vpMe &me) const;
   //! Likewise, with the scale of the threshold given: ViSP 3.5 has no name for it. \throw vpException naming what is
   //! out of range.
@@ -253,10 +288,17 @@ public:
   */
   void setSearchBudget(double milliseconds);
   double getSearchBudget() const;
-  virtual void setKltOpencv(const vpKltOpencv &klt);
-  virtual vpKltOpencv getKltOpencv() const;
-  virtual void setKltMaskBorder(const unsigned int &border);
-  virtual unsigned int getKltMaskBorder() const;
+  void setKltOpencv(const vpKltOpencv &klt) override;
+  vpKltOpencv getKltOpencv() const override;
+  void setKltMaskBorder(const unsigned int &border) override;
+  unsigned int getKltMaskBorder() const override;
+  void setKltThresholdAcceptation(double threshold) override;
+  double getKltThresholdAcceptation() const override;
+  void setUseEdgeTracking(const std::string &name, const bool &useEdgeTracking) override;
+  void setUseKltTracking(const std::string &name, const bool &useKltTracking) override;
+  //! How much each cue counts beside what its errors tell of it. \param mapOfFeatureFactors > 0, 1 by default; cues
+  //! that are not in it keep theirs. \throw vpException for others.
+  virtual void setFeatureFactors(const std::map<vpTrackerType, double> &mapOfFeatureFactors);
   //! \param threshold Share of the control points that must be found for the state TRACKING, [0, 1], default 0.4.
   virtual void setGoodMovingEdgesRatioThreshold(double threshold);
   virtual double getGoodMovingEdgesRatioThreshold() const;
@@ -293,8 +335,11 @@ public:
     other values.
   */
   std::string getCueReason(int cue) const;
-  vpColVector getError() const override { return m_error; }
-  vpColVector getRobustWeights() const override { return m_w; }
+  //! Errors of the features that took part in the last pose, cue by cue: edges, then points (two each) and colours. In
+  //! metres at 1 m, those of colours in deviations of their brightness.
+  vpColVector getError() const override;
+  //! Robust weight of each row of getError(), [0, 1].
+  vpColVector getRobustWeights() const override;
   //! Number of control points that were found in the last image and entered the pose.
   virtual unsigned int getNbFeaturesEdge() const;
   //! The poses that the last image allows, best first; empty where hypotheses are off or nothing was found.
@@ -307,22 +352,27 @@ public:
   std::vector<vpPoseMode> getPoseModes() const;
   //! Weighted mean of all particles ([T10] III-B2); the pose where there are none.
   vpHomogeneousMatrix getParticleMean() const;
-  //! Number of points that were found in the last image.
+  //! Number of rows of the points that entered the pose, two for each of them, as vpMbGenericTracker has it.
   virtual unsigned int getNbFeaturesKlt() const;
+  std::map<int, vpImagePoint> getKltImagePointsWithId() const override;
   //! Number of lines across the silhouette that entered the pose.
   virtual unsigned int getNbFeaturesColor() const;
-  //! As vpMbGenericTracker's: number of control points found and not refused. \param level Must be 0.
-  virtual unsigned int getNbPoints(unsigned int level = 0) const;
+  //! As vpMbGenericTracker's: number of control points of edges found and not refused. \param level Must be 0.
+  unsigned int getNbPoints(unsigned int level = 0) const override;
+  // vpMbTracker::getProjectionError() after setProjectionErrorComputation(true): mean angle between the normals of the
+  // edges that were tracked and the image's gradient where they were found, degrees, as vpMbGenericTracker has it.
   /*!
     Mean angle between the image's gradient and the normals of the model's edges, degrees, 90 where nothing is seen.
+    Unlike getProjectionError() it looks where the model is, so that a pose that is a little off shows more.
     ViSP's own measure for .cao and .wrl models, and the same taken over the control points for meshes.
   */
   double computeCurrentProjectionError(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo,
                                        const vpCameraParameters &cam) override;
   double computeCurrentProjectionError(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo,
                                        const vpCameraParameters &cam);
-  //! Per feature: 0, row, column, state (vpMeSite::vpMeSiteState), in the image as it was taken.
-  virtual std::vector<std::vector<double>> getFeaturesForDisplay();
+  //! Per feature, in the image as it was taken: 0, row, column, state (vpMeSite::vpMeSiteState); of a point that was
+  //! found: 1, row, column, row and column for its number, the number.
+  std::vector<std::vector<double>> getFeaturesForDisplay() override;
   //! Per visible bit of line: 0, row and column of one end, row and column of the other.
   std::vector<std::vector<double>> getModelForDisplay(unsigned int width, unsigned int height,
                                                       const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
@@ -340,6 +390,8 @@ public:
   //@}
 
 protected:
+  //! Without an image: nothing is computed anew; 90 where setProjectionErrorComputation() is off.
+  virtual void computeProjectionError();
   void computeVVSInit() override;
   void computeVVSInteractionMatrixAndResidu() override;
   void loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename, int &startIdFace,
@@ -352,6 +404,10 @@ protected:
   void initFaceFromCorners(vpMbtPolygon &) override {}
   void initFaceFromLines(vpMbtPolygon &) override {}
 
+  vpColVector m_error; //!< Of all rows at the last iteration, scaled; those of what was expected before come last.
+  vpColVector m_w;     //!< Their robust weights.
+  vpMatrix m_L;        //!< Their interaction matrix.
+
 private:
   class Impl;
   struct Agreement;
@@ -361,8 +417,17 @@ private:
   void takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded, const std::string &modelFile, bool verbose,
                  const vpHomogeneousMatrix &odTo);
   void updateDetails();
-  void replaceModel(const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo);
-  void forgetPrimitives();
+  template <typename Pixel>
+  void replaceModel(const vpImage<Pixel> &I, const std::string &modelFile, const vpHomogeneousMatrix &cMo, bool verbose,
+                    const vpHomogeneousMatrix &odTo);
+  struct Feature;
+  std::vector<Feature> featuresForDisplay() const;
+  void updateProjectionError(const vpCueFrame &frame);
+  void updatePointFilter();
+  bool isFollowable(const vpHomogeneousMatrix &cMo, unsigned int width, unsigned int height);
+  template <typename Pixel> void setPoseOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cdMo);
+  void requireStart(unsigned int width, unsigned int height, const vpTrackedModel &model,
+                    const vpHomogeneousMatrix &cMo) const;
   void start(unsigned int width, unsigned int height);
   template <typename Pixel> void startOn(const vpImage<Pixel> &I);
   void requireTrackable(unsigned int width, unsigned int height) const;
@@ -489,11 +554,15 @@ private:
   template <typename Pixel>
   void displayHypothesesOn(const vpImage<Pixel> &I, const vpCameraParameters &cam, unsigned int thickness);
 
-  vpColVector m_error; // Of all rows, at the last iteration.
-  vpColVector m_w;     // Their robust weights.
-  vpMatrix m_L;        // Their interaction matrix.
   std::unique_ptr<Impl> m_impl;
 };
+
+//! Joins cues, so that a sum of them is not taken for a number of cameras.
+constexpr vpMbMultiCueTracker::vpTrackerType operator|(vpMbMultiCueTracker::vpTrackerType a,
+                                                       vpMbMultiCueTracker::vpTrackerType b)
+{
+  return static_cast<vpMbMultiCueTracker::vpTrackerType>(static_cast<int>(a) | static_cast<int>(b));
+}
 
 END_VISP_NAMESPACE
 #endif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+#include "tracker/vpDistortedPoint.h"
+#include "tracker/vpFeatureForDisplay.h"
+#include "tracker/vpGradientAngle.h"
+#include "tracker/vpTrackerState.h"
+
+#include <algorithm>
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// Where ViSP's vpMbGenericTracker has the number of a point written, from the point, pixels.
+const double numberOffset = 7.;
+
+// Cues whose last minimisation went through have a weight for each row.
+bool hasWeights(const vpCueFusion::Part &part)
+{
+  return part.weights.size() == part.block.rows.size();
+}
+} // namespace
+
+vpColVector vpMbMultiCueTracker::getError() const
+{
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < m_impl->fusion.size(); ++i) {
+    const vpCueFusion::Part &part = m_impl->fusion[i];
+    for (std::size_t row = 0; hasWeights(part) && row < part.block.rows.size(); ++row) {
+      errors.push_back(part.block.rows[row].error);
+    }
+  }
+  return vpColVector(errors);
+}
+
+vpColVector vpMbMultiCueTracker::getRobustWeights() const
+{
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < m_impl->fusion.size(); ++i) {
+    const vpCueFusion::Part &part = m_impl->fusion[i];
+    if (hasWeights(part)) {
+      weights.insert(weights.end(), part.weights.begin(), part.weights.end());
+    }
+  }
+  return vpColVector(weights);
+}
+
+std::vector<vpMbMultiCueTracker::Feature> vpMbMultiCueTracker::featuresForDisplay() const
+{
+  std::vector<Feature> features;
+  std::vector<vpCueFeature> own;
+  for (std::size_t i = 0; i < m_impl->fusion.size(); ++i) {
+    const vpCueFusion::Part &part = m_impl->fusion[i];
+    part.cue->getFeatures(m_cMo, part.weights, own);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      Feature feature;
+      feature.place = vpDistortedPoint::of(Eigen::Vector2d(own[k].u, own[k].v), m_cam);
+      feature.state = own[k].state;
+      feature.id = part.type == KLT_TRACKER ? m_impl->points->matches()[k].id : -1;
+      features.push_back(feature);
+    }
+  }
+  return features;
+}
+
+std::vector<std::vector<double>> vpMbMultiCueTracker::getFeaturesForDisplay()
+{
+  std::vector<std::vector<double>> result;
+  for (const Feature &feature : featuresForDisplay()) {
+    const double row = feature.place.get_i();
+    const double column = feature.place.get_j();
+    if (feature.id < 0) {
+      result.push_back({0., row, column, static_cast<double>(feature.state)});
+    } else if (feature.state == vpFeatureState::GOOD || feature.state == vpFeatureState::OUTLIER) {
+      result.push_back({1., row, column, row + numberOffset, column + numberOffset, static_cast<double>(feature.id)});
+    }
+  }
+  return result;
+}
+
+std::map<int, vpImagePoint> vpMbMultiCueTracker::getKltImagePointsWithId() const
+{
+  std::map<int, vpImagePoint> points;
+  if (m_impl->points) {
+    for (const vpPointCue::Match &match : m_impl->points->matches()) {
+      if (match.found) {
+        points[match.id] = vpDistortedPoint::of(match.pixel, m_cam);
+      }
+    }
+  }
+  return points;
+}
+
+void vpMbMultiCueTracker::computeProjectionError()
+{
+  projectionError = computeProjError ? projectionError : 90.;
+}
+
+// Where the edges were found, as ViSP's trackers look at their moving edges.
+void vpMbMultiCueTracker::updateProjectionError(const vpCueFrame &frame)
+{
+  if (!computeProjError) {
+    return;
+  }
+  const vpCueFusion::Part *part = m_impl->fusion.find(EDGE_TRACKER);
+  if (part == nullptr) {
+    projectionError = computeCurrentProjectionError(frame.gray(), m_cMo, frame.camera());
+    return;
+  }
+  std::vector<vpCueFeature> features;
+  m_impl->edges.getFeatures(m_cMo, part->weights, features);
+  vpGradientAngle::Mean mean(frame.gray(), m_SobelX, m_SobelY);
+  const std::vector<vpEdgeCue::Match> &matches = m_impl->edges.matches();
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (matches[i].count > 0 && features[i].state == vpFeatureState::GOOD) {
+      mean.add(features[i].u, features[i].v, matches[i].point.normal);
+    }
+  }
+  projectionError = mean.degrees();
+}
+
+END_VISP_NAMESPACE
