@@ -19,6 +19,23 @@ bool hasWeights(const vpCueFusion::Part &part)
 {
   return part.weights.size() == part.block.rows.size();
 }
+
+// Of an edge at a control point, unit length: the pose may have moved since the view that the point is of.
+Eigen::Vector2d imageDirection(const vpControlPoint &point, const vpHomogeneousMatrix &cMo,
+                               const vpCameraParameters &cam)
+{
+  Eigen::Matrix3d cRo;
+  Eigen::Vector3d cTo;
+  for (unsigned int i = 0; i < 3; ++i) {
+    cRo.row(i) << cMo[i][0], cMo[i][1], cMo[i][2];
+    cTo[i] = cMo[i][3];
+  }
+  const Eigen::Vector3d place = cRo * point.position + cTo;
+  const Eigen::Vector3d direction = cRo * point.direction;
+  const Eigen::Vector2d along(cam.get_px() * (direction.x() * place.z() - direction.z() * place.x()),
+                              cam.get_py() * (direction.y() * place.z() - direction.z() * place.y()));
+  return along.normalized();
+}
 } // namespace
 
 vpColVector vpMbMultiCueTracker::getError() const
@@ -113,7 +130,8 @@ void vpMbMultiCueTracker::updateProjectionError(const vpCueFrame &frame)
   const std::vector<vpEdgeCue::Match> &matches = m_impl->edges.matches();
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (matches[i].count > 0 && features[i].state == vpFeatureState::GOOD) {
-      mean.add(features[i].u, features[i].v, matches[i].point.normal);
+      const Eigen::Vector2d along = imageDirection(matches[i].point, m_cMo, frame.camera());
+      mean.add(features[i].u, features[i].v, Eigen::Vector2d(-along.y(), along.x()));
     }
   }
   projectionError = mean.degrees();
