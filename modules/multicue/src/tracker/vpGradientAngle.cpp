@@ -59,14 +59,14 @@ double vpGradientAngle::mean(const vpImage<unsigned char> &I, const vpModelView 
   return count > 0 ? vpMath::deg(sum / count) : 90.;
 }
 
-void vpGradientAngle::Mean::add(double u, double v, const Eigen::Vector2d &normal)
+Eigen::Vector2d vpGradientAngle::Mean::add(double u, double v, const Eigen::Vector2d &normal)
 {
   const int room = static_cast<int>(m_sobelX.getRows()) / 2;
   const int row = static_cast<int>(std::lround(v));
   const int column = static_cast<int>(std::lround(u));
   if (row < room || column < room || row + room >= static_cast<int>(m_I.getHeight()) ||
       column + room >= static_cast<int>(m_I.getWidth())) {
-    return;
+    return Eigen::Vector2d::Zero();
   }
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   for (unsigned int i = 0; i < m_sobelX.getRows(); ++i) {
@@ -77,6 +77,7 @@ void vpGradientAngle::Mean::add(double u, double v, const Eigen::Vector2d &norma
   }
   m_sum += angle(gradient, normal);
   ++m_count;
+  return gradient;
 }
 
 double vpGradientAngle::Mean::degrees() const

@@ -29,7 +29,8 @@ public:
     {
     }
     //! \param u, v Pixel; one without room for the kernel is left out. \param normal Of the edge there, unit length.
-    void add(double u, double v, const Eigen::Vector2d &normal);
+    //! \return The gradient there.
+    Eigen::Vector2d add(double u, double v, const Eigen::Vector2d &normal);
     //! In [0, 90]; 90 where nothing was added.
     double degrees() const;
 

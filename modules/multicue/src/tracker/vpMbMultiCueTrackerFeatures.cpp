@@ -6,7 +6,7 @@
 #include "tracker/vpGradientAngle.h"
 #include "tracker/vpTrackerState.h"
 
-#include <algorithm>
+#include <visp3/core/vpDisplay.h>
 
 BEGIN_VISP_NAMESPACE
 
@@ -18,6 +18,13 @@ const double numberOffset = 7.;
 bool hasWeights(const vpCueFusion::Part &part)
 {
   return part.weights.size() == part.block.rows.size();
+}
+
+// Nothing where the image has no display.
+void drawArrow(const vpImage<unsigned char> &I, const vpImagePoint &from, const Eigen::Vector2d &vector,
+               const vpColor &color, unsigned int thickness)
+{
+  vpDisplay::displayArrow(I, from, from + vpImagePoint(vector.y(), vector.x()), color, 4, 2, thickness);
 }
 
 // Of an edge at a control point, unit length: the pose may have moved since the view that the point is of.
@@ -131,7 +138,16 @@ void vpMbMultiCueTracker::updateProjectionError(const vpCueFrame &frame)
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (matches[i].count > 0 && features[i].state == vpFeatureState::GOOD) {
       const Eigen::Vector2d along = imageDirection(matches[i].point, m_cMo, frame.camera());
-      mean.add(features[i].u, features[i].v, Eigen::Vector2d(-along.y(), along.x()));
+      const Eigen::Vector2d normal(-along.y(), along.x());
+      const Eigen::Vector2d gradient = mean.add(features[i].u, features[i].v, normal);
+      if (m_projectionErrorDisplay) {
+        const vpImagePoint place(features[i].v, features[i].u);
+        const double towards = gradient.dot(normal) < 0. ? -1. : 1.; // An edge has two normals.
+        const double length = m_projectionErrorDisplayLength;
+        drawArrow(frame.gray(), place, length * normal, vpColor::blue, m_projectionErrorDisplayThickness);
+        drawArrow(frame.gray(), place, towards * length * gradient.normalized(), vpColor::red,
+                  m_projectionErrorDisplayThickness);
+      }
     }
   }
   projectionError = mean.degrees();
