@@ -13,13 +13,13 @@ vpMbMultiCueTracker::vpMbMultiCueTracker(unsigned int nbCameras) : vpMbMultiCueT
   requireOneCamera(nbCameras);
 }
 
-vpMbMultiCueTracker::vpMbMultiCueTracker(unsigned int nbCameras, int trackerType) : vpMbMultiCueTracker()
+vpMbMultiCueTracker::vpMbMultiCueTracker(unsigned int nbCameras, int trackerType) : m_impl(std::make_unique<Impl>())
 {
   requireOneCamera(nbCameras);
   setTrackerType(trackerType);
 }
 
-vpMbMultiCueTracker::vpMbMultiCueTracker(const std::vector<int> &trackerTypes) : vpMbMultiCueTracker()
+vpMbMultiCueTracker::vpMbMultiCueTracker(const std::vector<int> &trackerTypes) : m_impl(std::make_unique<Impl>())
 {
   requireOneCamera(trackerTypes.size());
   setTrackerType(trackerTypes.front());
