@@ -71,8 +71,6 @@ private:
   void addTracks(const vpPointCamera &camera, const vpRenderedView &rendered);
   void markAllowed(const vpSurfaceReader &reader, cv::Mat &mask) const;
 
-  void shrink(cv::Mat &mask) const;
-
   vpPointCueSettings m_settings;
   vpPointCue::SurfaceFilter m_filter;
   vpCameraParameters m_camera;

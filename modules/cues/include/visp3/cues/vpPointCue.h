@@ -20,8 +20,7 @@ struct VISP_EXPORT vpPointCueSettings
   int blockSize = 3;           //!< Side of the window for the corner's strength, pixels, [1, 63].
   int pyramidLevels = 3;       //!< Levels of the image pyramid above the image itself, as in ViSP, [0, 10].
   unsigned int maskBorder = 5; //!< Points closer than this to the silhouette, a crease or a step of the depth are left
-                               //!< out, pixels, [0, 100]. Above the default, a face without room for it keeps its
-                               //!< inner half.
+                               //!< out, pixels, [0, 100]; 5 where a wider one would leave nothing of a face.
   bool useHarris = true;       //!< Harris' measure of corners ([P14] III-C); false: Shi and Tomasi's.
   double leastWeight = 0.1;    //!< Points with a smaller robust weight are outliers and teach nothing, [0, 1).
 

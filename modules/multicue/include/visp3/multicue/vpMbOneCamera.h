@@ -149,6 +149,9 @@ public:
                                   const PerCamera<unsigned int> &mapOfheights,
                                   const PerCamera<vpHomogeneousMatrix> &mapOfcMos,
                                   const PerCamera<vpCameraParameters> &mapOfCams, bool displayFullModel = false);
+  //! \return 0: depth is not used, as in the next one.
+  virtual unsigned int getNbFeaturesDepthDense() const { return 0; }
+  virtual unsigned int getNbFeaturesDepthNormal() const { return 0; }
   using vpMbTracker::display;
   virtual void display(const GrayImages &mapOfImages, const PerCamera<vpHomogeneousMatrix> &mapOfCameraPoses,
                        const PerCamera<vpCameraParameters> &mapOfCameraParameters, const vpColor &col,
