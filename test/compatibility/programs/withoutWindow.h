@@ -35,19 +35,26 @@ void note(const void *tracker, const std::string &kind, const vpImage<unsigned c
 void note(const void *tracker, const std::string &kind, const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo,
           const vpCameraParameters &cam);
 
-template <typename Tracker, typename Pixel>
-void note(const std::string &kind, const Tracker &tracker, const vpImage<Pixel> &I)
+//! After tracking, with the camera that the tracker has.
+template <typename Tracker, typename Pixel> void noteTracked(const Tracker &tracker, const vpImage<Pixel> &I)
 {
   vpHomogeneousMatrix cMo;
   vpCameraParameters cam;
   tracker.getPose(cMo);
   tracker.getCameraParameters(cam);
-  note(&tracker, kind, I, cMo, cam);
+  note(&tracker, "tracked", I, cMo, cam);
 }
-template <typename Tracker, typename Pixel>
-void note(const std::string &kind, Tracker *tracker, const vpImage<Pixel> &I)
+template <typename Tracker, typename Pixel> void noteTracked(Tracker *tracker, const vpImage<Pixel> &I)
 {
-  note(kind, *tracker, I);
+  noteTracked(*tracker, I);
+}
+//! After a pose was given, with the camera of the image: tutorial-detection-object-mbt2 leaves the tracker another one.
+template <typename Tracker, typename Pixel>
+void noteSet(const Tracker &tracker, const vpImage<Pixel> &I, const vpCameraParameters &cam)
+{
+  vpHomogeneousMatrix cMo;
+  tracker.getPose(cMo);
+  note(&tracker, "set", I, cMo, cam);
 }
 } // namespace withoutWindow
 
