@@ -206,8 +206,15 @@ void vpMbMultiCueTracker::resetTracker()
   m_stopCriteriaEpsilon = 1e-8;
   m_initialMu = 0.01;
   const int type = m_impl->type;
+  const vpPresetChoice choice = m_impl->choice;
   m_impl = std::make_unique<Impl>();
-  m_impl->type = type;
+  if (choice.isAssumed) {
+    assumePreset();
+  } else if (choice.preset) {
+    setPreset(*choice.preset);
+  } else {
+    setTrackerType(type);
+  }
 }
 
 END_VISP_NAMESPACE
