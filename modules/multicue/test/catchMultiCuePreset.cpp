@@ -110,9 +110,11 @@ TEST_CASE("Each preset has its settings", "[preset]")
   expected.searches = true;
   expected.searchBudget = 33.;
   CHECK(settingsOf(Preset::ROBUST) == expected);
-  CHECK(settingsOf(Preset::STATIC).cues == all);
-  CHECK(settingsOf(Preset::STATIC).predicts);
-  CHECK(settingsOf(Preset::STATIC).searches);
+
+  expected.prediction.translationWander = 0.01;
+  expected.prediction.rotationWander = 0.03;
+  expected.color.contourDeviation = 1.;
+  CHECK(settingsOf(Preset::STATIC) == expected);
 
   expected = vpMultiCueSettings();
   expected.edge.candidates = 5;
