@@ -101,7 +101,7 @@ int main(int argc, const char *argv[])
     }
     visp.setScanLineVisibilityTest(options.scanline);
 
-    vpMbMultiCueTracker ours;
+    vpMbMultiCueTracker ours(vpMbMultiCueTracker::EDGE_TRACKER);
     ours.setModelUnit(options.unit);
     compareOptions ourOptions = options;
     if (!options.mesh.empty()) {

@@ -80,7 +80,7 @@ TEST_CASE("The rendered castle stays within the bounds of ViSP's regression test
 {
   for (const bool withCube : {false, true}) {
     CAPTURE(withCube);
-    vpMbMultiCueTracker tracker;
+    vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
     const Errors ours = follow(tracker, withCube);
     vpMbGenericTracker visp(1, vpMbGenericTracker::EDGE_TRACKER);
     const Errors theirs = follow(visp, withCube);

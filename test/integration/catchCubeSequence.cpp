@@ -60,7 +60,7 @@ template <typename Tracker> Outcome followModel(Tracker &tracker, const std::str
 TEST_CASE("The real cube is held in all frames, with a projection error not above that of ViSP's edge tracker",
           "[sequence]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   const Outcome ours = followModel(tracker, recording::path("mbt/cube.cao"));
   vpMbGenericTracker visp(1, vpMbGenericTracker::EDGE_TRACKER);
   const Outcome theirs = followModel(visp, recording::path("mbt/cube.cao"));
@@ -71,9 +71,9 @@ TEST_CASE("The real cube is held in all frames, with a projection error not abov
 
 TEST_CASE("The cube as a mesh is tracked as well as the .cao", "[sequence]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   const Outcome polygons = followModel(tracker, recording::path("mbt/cube.cao"));
-  vpMbMultiCueTracker meshTracker;
+  vpMbMultiCueTracker meshTracker(vpMbMultiCueTracker::EDGE_TRACKER);
   const Outcome mesh =
       followModel(meshTracker, writeModelAsObj(*tracker.getModel(), meshFiles::temporaryFile("cube-as-mesh.obj")));
   CHECK(mesh.tracking == frames);

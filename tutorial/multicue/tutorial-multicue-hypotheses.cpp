@@ -114,7 +114,7 @@ void run(const TrackerOptions &options)
   if (!openFrames(options)->next(I)) {
     throw vpException(vpException::ioError, "There is no frame: is --first beyond the end?");
   }
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.loadConfigFile(options.config, false);
   tracker.setModelUnit(options.metresPerUnit);
   tracker.loadModel(options.model);

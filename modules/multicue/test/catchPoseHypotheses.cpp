@@ -67,7 +67,7 @@ TEST_CASE("Beside a stronger parallel neighbour one hypothesis takes the wrong e
   for (int i = 0; i < 8; ++i) {
     const vpHomogeneousMatrix truth = stripedBox::frontal(i);
     const vpImage<unsigned char> I = box.draw(truth);
-    vpMbMultiCueTracker single, several;
+    vpMbMultiCueTracker single(vpMbMultiCueTracker::EDGE_TRACKER), several(vpMbMultiCueTracker::EDGE_TRACKER);
     for (vpMbMultiCueTracker *tracker : {&single, &several}) {
       prepare(*tracker, tracker == &several);
       tracker->initFromPose(I, moved(truth, -0.006)); // 6 pixels.
@@ -97,7 +97,7 @@ TEST_CASE("The poses do not depend on the number of threads", "[hypotheses]")
   for (const int threads : {1, 2, 4}) {
     CAPTURE(threads);
     cv::setNumThreads(threads);
-    vpMbMultiCueTracker tracker;
+    vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
     prepare(tracker, true);
     tracker.initFromPose(images[0], moved(stripedBox::frontal(0), -0.006));
     bool several = false;
@@ -124,7 +124,7 @@ TEST_CASE("The poses do not depend on the number of threads", "[hypotheses]")
 TEST_CASE("Off, hypotheses change nothing, whatever their settings were", "[hypotheses]")
 {
   stripedBox box;
-  vpMbMultiCueTracker never, was;
+  vpMbMultiCueTracker never(vpMbMultiCueTracker::EDGE_TRACKER), was(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(never, false);
   CHECK_FALSE(vpMbMultiCueTracker().getPoseHypothesisSettings().enabled);
   prepare(was, true);
@@ -153,7 +153,7 @@ TEST_CASE("Off, hypotheses change nothing, whatever their settings were", "[hypo
 TEST_CASE("Any pose can be started from without a tracker, in threads that share one match", "[hypotheses]")
 {
   stripedBox box;
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker, true);
   const vpHomogeneousMatrix truth = stripedBox::frontal(1);
   const vpHomogeneousMatrix start = moved(truth, -0.006);
@@ -194,7 +194,7 @@ TEST_CASE("Any pose can be started from without a tracker, in threads that share
 
 TEST_CASE("An image that shows nothing has no hypotheses", "[hypotheses]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker, true);
   const vpImage<unsigned char> blank(renderedBox::height, renderedBox::width, 100);
   tracker.initFromPose(blank, renderedBox::pose());

@@ -51,7 +51,7 @@ TEST_CASE("A budget is spent after its time, and whole again in the next frame",
 
 TEST_CASE("A budget out of range is refused and the last one kept", "[search-budget]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   CHECK(tracker.getSearchBudget() == 0.);
   tracker.setSearchBudget(40.);
   for (const double value : {-1., 10001., std::numeric_limits<double>::quiet_NaN()}) {

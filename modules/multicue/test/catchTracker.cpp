@@ -73,7 +73,7 @@ TEST_CASE("A box is followed, with one candidate and with several, from .cao and
       for (const vpMbTracker::vpMbtOptimizationMethod method :
            {vpMbTracker::GAUSS_NEWTON_OPT, vpMbTracker::LEVENBERG_MARQUARDT_OPT}) {
         CAPTURE(model, candidates, method);
-        vpMbMultiCueTracker tracker;
+        vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
         tracker.setModelUnit(0.001); // Of meshes: a .cao is in metres.
         prepare(tracker, model);
         vpEdgeCueSettings settings = tracker.getEdgeSettings();
@@ -91,7 +91,8 @@ TEST_CASE("A box is followed, with one candidate and with several, from .cao and
 TEST_CASE("Colour images give the poses of gray ones, and the same images the same poses to the last bit", "[tracker]")
 {
   renderedBox box;
-  vpMbMultiCueTracker gray, color, again;
+  vpMbMultiCueTracker gray(vpMbMultiCueTracker::EDGE_TRACKER), color(vpMbMultiCueTracker::EDGE_TRACKER),
+      again(vpMbMultiCueTracker::EDGE_TRACKER);
   for (vpMbMultiCueTracker *tracker : {&gray, &color, &again}) {
     prepare(*tracker, renderedBox::writeCao(meshFiles::temporaryFile("colour-box.cao")));
   }
@@ -117,7 +118,7 @@ TEST_CASE("Colour images give the poses of gray ones, and the same images the sa
 TEST_CASE("Degrees of freedom that are not estimated stay, in the object's frame", "[tracker]")
 {
   renderedBox box;
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("dof-box.cao")));
   vpColVector free(6, 1.);
   free[2] = 0.;
@@ -146,7 +147,7 @@ TEST_CASE("Degrees of freedom that are not estimated stay, in the object's frame
 TEST_CASE("The covariance is that of the pose, and nothing is left of a mask", "[tracker]")
 {
   renderedBox box;
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("covariance-box.cao")));
   tracker.setCovarianceComputation(true);
   tracker.setProjectionErrorComputation(true);
@@ -181,7 +182,7 @@ TEST_CASE("The covariance is that of the pose, and nothing is left of a mask", "
 TEST_CASE("What is displayed are the visible edges", "[tracker]")
 {
   renderedBox box;
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("display-box.cao")));
   const vpImage<unsigned char> I = box.draw(renderedBox::pose());
   tracker.initFromPose(I, renderedBox::pose());
@@ -224,7 +225,7 @@ TEST_CASE("A camera with lens distortion is tracked with and displayed in its ow
       I[i][j] = inside ? undistorted.getValue(from) : renderedBox::background;
     }
   }
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.setCameraParameters(distorted);
   tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("distorted-box.cao")));
   tracker.initFromPose(I, truth * vpHomogeneousMatrix(0.002, -0.001, 0.001, 0., 0.01, 0.));
@@ -237,7 +238,7 @@ TEST_CASE("A camera with lens distortion is tracked with and displayed in its ow
 
 TEST_CASE("Moving-edge parameters are honoured and told in both scales", "[tracker]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   CHECK(tracker.getMovingEdge().getThreshold() == Approx(10000.)); // 5 gray levels for a mask of 5 x 5.
   vpMe me;
   me.setMaskSize(7);
@@ -261,7 +262,7 @@ TEST_CASE("Moving-edge parameters are honoured and told in both scales", "[track
 TEST_CASE("A jump of the light does not lose the object", "[tracker]")
 {
   renderedBox box;
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker, renderedBox::writeCao(meshFiles::temporaryFile("light-box.cao")));
   vpImage<unsigned char> I = box.draw(renderedBox::pose());
   tracker.initFromPose(I, renderedBox::pose());
@@ -278,7 +279,7 @@ TEST_CASE("A jump of the light does not lose the object", "[tracker]")
 
 TEST_CASE("Several files make one model, and resetTracker forgets them", "[tracker]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   const std::string box = renderedBox::writeCao(meshFiles::temporaryFile("part-box.cao"));
   tracker.loadModel(box);
   CHECK(tracker.getModelReport().edges == 12);

@@ -34,7 +34,7 @@ struct Fixture
   }
 
   renderedBox box;
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker{vpMbMultiCueTracker::EDGE_TRACKER};
   vpImage<unsigned char> I;
 };
 
@@ -85,7 +85,7 @@ TEST_CASE("A model in millimetres read as metres is refused with its size", "[tr
              ContainsSubstring("246"));
   f.requireUsable();
 
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.setModelUnit(0.001);
   tracker.loadModel(name);
   CHECK(tracker.getModelReport().diameter == Approx(renderedBox::size().norm()));
@@ -174,7 +174,7 @@ TEST_CASE("Settings out of range are refused and the old ones stay", "[tracker]"
 TEST_CASE("A tracker that lacks model or pose says so", "[tracker]")
 {
   const vpImage<unsigned char> I(480, 640, 0);
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.setCameraParameters(renderedBox::camera());
   CHECK_THAT(messageOf([&] { tracker.track(I); }), ContainsSubstring("loadModel"));
   CHECK_THAT(messageOf([&] { tracker.initFromPose(I, renderedBox::pose()); }), ContainsSubstring("loadModel"));

@@ -127,7 +127,7 @@ TEST_CASE("The search range of the prediction leaves the user's range as it is",
 
 TEST_CASE("Wrong types and times are named and change nothing", "[tracker]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   for (const int type : {0, -1, 4, 8, 32}) {
     CHECK_THROWS_AS(tracker.setTrackerType(type), vpException);
   }

@@ -149,7 +149,7 @@ TEST_CASE("A mesh without edges is tracked by its rims, with one pose hypothesis
 {
   const bool several = GENERATE(false, true);
   CAPTURE(several);
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.setCameraParameters(camera());
   proposeSeveralPoses(tracker, several);
   tracker.loadModel(writeStl(makeLump(), meshFiles::temporaryFile("lump.stl")));
@@ -162,7 +162,7 @@ TEST_CASE("A mesh without edges is tracked by its rims, with one pose hypothesis
 
 TEST_CASE("The view of a mesh does not depend on the number of threads", "[tracker]")
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.loadModel(writeStl(makeLump(), meshFiles::temporaryFile("lump-threads.stl")));
   const int threadsBefore = cv::getNumThreads();
   std::vector<vpControlPoint> expected;
@@ -194,7 +194,7 @@ TEST_CASE("A cylinder of a .cao file is tracked by limbs and circles, and does n
   file << "V1\n6\n0 0 -0.06\n0 0 0.06\n0.04 0 0.06\n0 0.04 0.06\n0.04 0 -0.06\n0 0.04 -0.06\n"
        << "0\n0\n0\n1\n0 1 0.04\n2\n0.04 1 2 3\n0.04 0 5 4\n";
   file.close();
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.setCameraParameters(camera());
   proposeSeveralPoses(tracker, several);
   tracker.loadModel(name);

@@ -86,7 +86,7 @@ TEST_CASE("Settings out of range are named, and the old ones stay", "[particles]
   CHECK_THAT(refusal([](Settings &s) { s.modeTranslation = 0.; }), ContainsSubstring("modeTranslation"));
   CHECK_THAT(refusal([](Settings &s) { s.modeRotation = 4.; }), ContainsSubstring("modeRotation"));
 
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   vpParticleSettings good;
   good.number = 50;
   tracker.setParticleSettings(good);
@@ -101,7 +101,7 @@ TEST_CASE("Particles follow a box, as many as asked for, with weights that add u
 {
   stripedBox box;
   const vpHomogeneousMatrix truth = stripedBox::frontal(0);
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker);
   CHECK(tracker.getParticles().empty());
   tracker.initFromPose(box.draw(truth), truth);
@@ -126,7 +126,8 @@ TEST_CASE("The same seed gives the same bits, another one other particles", "[pa
 {
   stripedBox box;
   const vpHomogeneousMatrix truth = stripedBox::frontal(0);
-  vpMbMultiCueTracker a, b, other;
+  vpMbMultiCueTracker a(vpMbMultiCueTracker::EDGE_TRACKER), b(vpMbMultiCueTracker::EDGE_TRACKER),
+      other(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(a);
   prepare(b);
   prepare(other, 2);
@@ -151,7 +152,7 @@ TEST_CASE("Two poses that the image allows are two modes with a mass each", "[pa
 {
   stripedBox box;
   const vpHomogeneousMatrix truth = stripedBox::frontal(0);
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker);
   vpParticleSettings settings = tracker.getParticleSettings();
   settings.lambda = 5.; // Not yet decided.
@@ -180,7 +181,7 @@ TEST_CASE("An image that shows nothing stops no particle", "[particles]")
 {
   stripedBox box;
   const vpHomogeneousMatrix truth = stripedBox::frontal(0);
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   prepare(tracker);
   const vpImage<unsigned char> I = box.draw(truth);
   tracker.initFromPose(I, truth);

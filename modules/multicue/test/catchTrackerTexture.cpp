@@ -111,7 +111,7 @@ double turnOf(const vpHomogeneousMatrix &oMo)
 
 Turns trackCan(bool textureEdges)
 {
-  vpMbMultiCueTracker tracker;
+  vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
   tracker.setCameraParameters(camera());
   tracker.setTextureEdges(textureEdges);
   tracker.loadModel(writeCan(meshFiles::temporaryFile("can.ply")));

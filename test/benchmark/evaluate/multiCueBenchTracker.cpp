@@ -5,11 +5,23 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 namespace bench {
 
 namespace {
-using Preset = std::function<void(vpMbMultiCueTracker &)>;
+using Change = std::function<void(vpMbMultiCueTracker &)>;
+
+// A preset of the library, whose single settings a configuration file may change, or what is changed in a tracker of
+// edges whatever the file says.
+struct Preset
+{
+  Preset(vpMultiCuePreset known) : ofLibrary(known) {}
+  template <typename Function> Preset(const Function &function) : change(function) {}
+
+  std::optional<vpMultiCuePreset> ofLibrary;
+  Change change = [](vpMbMultiCueTracker &) {};
+};
 
 void setCandidates(vpMbMultiCueTracker &tracker, unsigned int candidates)
 {
@@ -27,42 +39,28 @@ void useHypotheses(vpMbMultiCueTracker &tracker)
   setCandidates(tracker, 5);
 }
 
-// [T10]: edges alone, an object that wanders, 100 particles, the best ones optimised in pose-hypothesis mode. Where all
-// of them have lost the object, which the paper leaves open, the search finds it again.
-void useParticles(vpMbMultiCueTracker &tracker)
-{
-  useHypotheses(tracker);
-  vpParticleSettings settings = tracker.getParticleSettings();
-  settings.enabled = true;
-  tracker.setParticleSettings(settings);
-  tracker.setSearch(true);
-}
-
-Preset cues(int type)
+Change cues(int type)
 {
   return [type](vpMbMultiCueTracker &tracker) { tracker.setTrackerType(type); };
 }
 
-// What each preset changes in a tracker with default settings: a new preset is a line here.
-const std::map<std::string, Preset> &presets()
+// To compare those of the library with, some of which have a second name here: a new one is a line.
+std::map<std::string, Preset> comparedPresets()
 {
   using Tracker = vpMbMultiCueTracker;
   const int edge = Tracker::EDGE_TRACKER;
   const int point = Tracker::KLT_TRACKER;
   const int color = Tracker::COLOR_TRACKER;
-  const Preset predicting = [](Tracker &tracker) {
-    tracker.setTrackerType(Tracker::EDGE_TRACKER | Tracker::COLOR_TRACKER | Tracker::KLT_TRACKER);
+  const Change searching = [=](Tracker &tracker) {
+    tracker.setTrackerType(edge | color | point);
     tracker.setPrediction(true);
-  };
-  const Preset searching = [predicting](Tracker &tracker) {
-    predicting(tracker);
     tracker.setSearch(true);
     vpParticleSettings particles = tracker.getParticleSettings();
     particles.enabled = true;
     particles.motion = vpParticleSettings::Motion::VELOCITY;
     tracker.setParticleSettings(particles);
   };
-  static const std::map<std::string, Preset> table = {
+  return {
       {"edge", cues(edge)},
       {"edge-geometry",
        [](Tracker &tracker) {
@@ -70,12 +68,12 @@ const std::map<std::string, Preset> &presets()
          tracker.setTextureEdges(false);
        }},
       {"edge-mh", &useHypotheses},
-      {"particles", &useParticles},
+      {"particles", vpMultiCuePreset::TEULIERE2010},
       {"edge-point", cues(edge | point)},
       {"color", cues(color)},
       {"point", cues(point)},
       {"multicue", cues(edge | color | point)},
-      {"multicue-kalman", predicting},
+      {"multicue-kalman", vpMultiCuePreset::PETIT2014},
       {"multicue-particles", searching},
       // [P14]'s ladder: C0 edges with one candidate, C1 several, NM with colours, C4 with points, C5 with prediction.
       {"c0",
@@ -86,8 +84,19 @@ const std::map<std::string, Preset> &presets()
       {"c0-c1", cues(edge)},
       {"nm", cues(edge | color)},
       {"nm-c4", cues(edge | color | point)},
-      {"nm-c4-c5", predicting},
+      {"nm-c4-c5", vpMultiCuePreset::PETIT2014},
   };
+}
+
+const std::map<std::string, Preset> &presets()
+{
+  static const std::map<std::string, Preset> table = [] {
+    std::map<std::string, Preset> all = comparedPresets();
+    for (const std::string &name : vpMultiCuePresetNames()) {
+      all.emplace(name, vpMultiCuePresetFromString(name));
+    }
+    return all;
+  }();
   return table;
 }
 
@@ -97,13 +106,16 @@ public:
   MultiCueBenchTracker(const Preset &preset, const SequenceObject &object, const vpCameraParameters &cam,
                        const std::string &config)
   {
+    if (preset.ofLibrary) {
+      m_tracker.setPreset(*preset.ofLibrary);
+    }
     if (!config.empty()) {
       m_tracker.loadConfigFile(config, false);
     }
     m_tracker.setCameraParameters(cam);
     m_tracker.setModelUnit(object.meshUnit);
     m_tracker.loadModel(object.mesh.empty() ? object.cao : object.mesh);
-    preset(m_tracker);
+    preset.change(m_tracker);
   }
 
   void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) override { m_tracker.initFromPose(I.color, cMo); }
@@ -132,7 +144,7 @@ public:
   std::vector<std::string> stages() const override { return {"frame", "view", "match", "pose", "map", "particles"}; }
 
 private:
-  vpMbMultiCueTracker m_tracker;
+  vpMbMultiCueTracker m_tracker{vpMbMultiCueTracker::EDGE_TRACKER};
 };
 } // namespace
 

@@ -131,7 +131,7 @@ private:
   meshFiles::TemporaryFolder m_folder;
   std::string m_file;
   vpModelViewOptions m_viewOptions;
-  vpMbMultiCueTracker m_tracker;
+  vpMbMultiCueTracker m_tracker{vpMbMultiCueTracker::EDGE_TRACKER};
   std::unique_ptr<vpMbGenericTracker> m_vispTracker;
   std::unique_ptr<DrawnImages> m_drawn;
   std::vector<vpImage<unsigned char>> m_images;

@@ -16,6 +16,8 @@ namespace vpSettingsDetail {
 namespace {
 using Json = nlohmann::ordered_json; // In the order of the table.
 
+const std::string presetKey = "preset";
+
 [[noreturn]] void refuse(const std::string &file, const std::string &reason)
 {
   throw vpException(vpException::badValue, "Configuration file '" + file + "': " + reason);
@@ -35,7 +37,7 @@ Json parse(const std::string &file)
 
 std::vector<std::string> objectNames()
 {
-  std::vector<std::string> names;
+  std::vector<std::string> names = {presetKey};
   for (const Entry &entry : settingsTable()) {
     if (names.empty() || names.back() != entry.object) {
       names.push_back(entry.object);
@@ -181,6 +183,18 @@ void readValue(const std::string &file, const Entry &entry, const Json &given, D
   if (!std::visit([&](auto at) { return assign(given, entry.range, at(draft)); }, entry.place)) {
     refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe());
   }
+  draft.said.insert(entry.name());
+}
+
+// Before all others, which override it.
+void readPreset(const std::string &file, const Json &json, Draft &draft)
+{
+  const std::vector<std::string> known = vpMultiCuePresetNames();
+  const std::string name = json.is_string() ? json.get<std::string>() : std::string();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    refuse(file, presetKey + " is " + json.dump() + ", it must be one of " + listText(known));
+  }
+  draft.setPreset(vpMultiCuePresetFromString(name));
 }
 
 void readObject(const std::string &file, const std::string &object, const Json &json, Draft &draft)
@@ -211,8 +225,13 @@ void readJson(const std::string &file, Draft &draft)
     draft.camera.kud.reset();
     draft.camera.kdu.reset();
   }
+  if (json.contains(presetKey)) {
+    readPreset(file, json[presetKey], draft);
+  }
   for (const auto &[object, value] : json.items()) {
-    readObject(file, object, value, draft);
+    if (object != presetKey) {
+      readObject(file, object, value, draft);
+    }
   }
 }
 

@@ -96,6 +96,13 @@ vpMultiCueSettings Draft::settings() const
   return settings;
 }
 
+void Draft::setPreset(vpMultiCuePreset chosen)
+{
+  members.setPreset(chosen);
+  cues.sum = members.cues;
+  preset = chosen;
+}
+
 bool Range::contains(double value) const
 {
   return std::isfinite(value) && (lowIncluded ? value >= low : value > low) && value <= high;

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -36,10 +37,13 @@ struct Draft
   explicit Draft(const vpMultiCueSettings &settings);
   //! The camera is the one that the draft was made from unless a part of it was changed.
   vpMultiCueSettings settings() const;
+  void setPreset(vpMultiCuePreset preset);
 
   vpMultiCueSettings members;
   CameraParts camera;
   CueSum cues;
+  std::optional<vpMultiCuePreset> preset; //!< That a file said.
+  std::set<std::string> said;             //!< Names of the entries that a file said.
 };
 
 //! The values that a setting can have.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMultiCueSettings.h>
 
+#include "config/settingsFile.h"
 #include "config/settingsJson.h"
 #include "config/settingsTable.h"
 #include "config/settingsXml.h"
@@ -46,8 +47,7 @@ vpMultiCueSettings checkedSettings(const std::string &file, const Draft &draft)
 }
 } // namespace
 
-vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
-                                                  bool verbose)
+FileSettings vpSettingsDetail::readSettings(const std::string &file, const vpMultiCueSettings &defaults)
 {
   Draft draft(defaults);
   if (isJson(file)) {
@@ -56,9 +56,20 @@ vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const
     readXml(file, draft);
   }
   resolveSymmetries(file, defaults, draft.members);
-  const vpMultiCueSettings settings = checkedSettings(file, draft);
+  return {checkedSettings(file, draft), draft.preset, draft.said};
+}
+
+void vpSettingsDetail::printSettings(const std::string &file, const vpMultiCueSettings &settings)
+{
+  std::cout << "Settings with '" << file << "': " << jsonText(settings) << std::flush;
+}
+
+vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
+                                                  bool verbose)
+{
+  const vpMultiCueSettings settings = readSettings(file, defaults).settings;
   if (verbose) {
-    std::cout << "Settings with '" << file << "': " << jsonText(settings) << std::flush;
+    printSettings(file, settings);
   }
   return settings;
 }

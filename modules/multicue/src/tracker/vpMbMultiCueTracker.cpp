@@ -28,10 +28,6 @@ const double sameDepth = 2.5;
 const double maxMotion = 2.;
 } // namespace
 
-vpMbMultiCueTracker::vpMbMultiCueTracker() : vpMbMultiCueTracker(EDGE_TRACKER)
-{
-}
-
 vpMbMultiCueTracker::vpMbMultiCueTracker(vpTrackerType type) : m_impl(std::make_unique<Impl>())
 {
   setTrackerType(type);

@@ -27,6 +27,9 @@ void vpMbMultiCueTracker::setTrackerType(int type)
     throw;
   }
   updatePointFilter();
+  double budget = m_impl->searchBudget.get();
+  m_impl->choice.takeCues(m_impl->predicts, m_impl->searches, budget);
+  m_impl->searchBudget.set(budget);
 }
 
 int vpMbMultiCueTracker::getTrackerType() const
@@ -209,11 +212,6 @@ vpMultiCueSettings vpMbMultiCueTracker::currentSettings() const
   settings.minPolygonArea = minPolygonAreaThresholdGeneral;
   settings.clipToImage = (clippingFlag & vpPolygon3D::FOV_CLIPPING) == vpPolygon3D::FOV_CLIPPING;
   return settings;
-}
-
-void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool verbose)
-{
-  applySettings(vpMultiCueSettingsReader::read(configFile, currentSettings(), verbose));
 }
 
 void vpMbMultiCueTracker::applySettings(const vpMultiCueSettings &settings)

@@ -277,16 +277,19 @@ void vpMbMultiCueTracker::setPrediction(bool flag, const vpPoseKalmanSettings &s
   m_impl->kalman.setSettings(settings);
   m_impl->kalman.reset();
   m_impl->predicts = flag;
+  m_impl->choice.keepsPrediction = true;
 }
 
 void vpMbMultiCueTracker::setSearch(bool flag)
 {
   m_impl->searches = flag;
+  m_impl->choice.keepsSearch = true;
 }
 
 void vpMbMultiCueTracker::setSearchBudget(double milliseconds)
 {
   m_impl->searchBudget.set(milliseconds);
+  m_impl->choice.keepsBudget = true;
 }
 
 double vpMbMultiCueTracker::getSearchBudget() const

@@ -56,6 +56,7 @@ void vpMbMultiCueTracker::Impl::take(const Impl &before)
   me = before.me; // As the user gave it, and not as the edges' settings say it.
   modelOptions = before.modelOptions;
   preference = before.preference;
+  choice = before.choice;
   throwOnLoss = before.throwOnLoss;
   rangeIsPredicted = before.rangeIsPredicted;
   displayHypotheses = before.displayHypotheses;

@@ -16,6 +16,7 @@
 #include "tracker/vpPoseBelief.h"
 #include "tracker/vpPoseTracks.h"
 #include "tracker/vpPoseUncertainty.h"
+#include "tracker/vpPresetChoice.h"
 #include "tracker/vpRoughStart.h"
 #include "tracker/vpSearchBudget.h"
 #include "tracker/vpTextureSupport.h"
@@ -214,6 +215,7 @@ public:
 
   // Settings. What vpMbTracker holds itself (camera, angles, clipping, LOD) is not repeated here.
   int type = EDGE_TRACKER;
+  vpPresetChoice choice;
   vpModelViewOptions viewOptions; // Brought up to date by vpMbMultiCueTracker::viewOptions().
   vpMe me;                        // As the user gave it, for getMovingEdge().
   vpPointCueSettings klt;

@@ -8,6 +8,7 @@
 #include <visp3/model/vpTrackedModelBuilder.h>
 #include <visp3/multicue/vpMbOneCamera.h>
 #include <visp3/multicue/vpMbTrackingResult.h>
+#include <visp3/multicue/vpMultiCuePreset.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
 #include <visp3/multicue/vpParticleSettings.h>
 #include <visp3/multicue/vpWeightedPose.h>
@@ -48,7 +49,9 @@ public:
     COLOR_TRACKER = 1 << 4 //!< Colours on both sides of the silhouette; vpMbGenericTracker has nothing like it.
   };
 
-  //! Same as vpMbMultiCueTracker(EDGE_TRACKER).
+  using Preset = vpMultiCuePreset;
+
+  //! With the preset Preset::ROBUST, see setPreset(), which gives way to what setTrackerType() says.
   vpMbMultiCueTracker();
   //! \param type A value of vpTrackerType, or several joined by |.
   explicit vpMbMultiCueTracker(vpTrackerType type);
@@ -216,11 +219,23 @@ public:
 
   /** @name Settings */
   //@{
-  //! Reads an XML file of vpMbGenericTracker or a JSON file, see vpMultiCueSettingsReader.
+  //! Reads an XML file of vpMbGenericTracker, which says nothing of cues, or a JSON file, see vpMultiCueSettingsReader.
   void loadConfigFile(const std::string &configFile, bool verbose = true) override;
   /*!
-    Chooses the cues; may be called between frames. \param type Sum of vpTrackerType values. \throw vpException for
-    other values, and for points where the library was built without OpenCV's video, features2d or calib3d module.
+    Chooses cues, pose hypotheses, particles, prediction, search and what belongs to them by purpose, see
+    \ref multicue_presets; default Preset::ROBUST. May be called between frames. Camera, model, clipping, moving edges
+    but for vpEdgeCueSettings::candidates, points, texture's edges and frame interval stay. Without OpenCV's modules
+    for points, a preset does without them.
+  */
+  void setPreset(Preset preset);
+  //! The last one, of which single settings may have been changed since; none after setTrackerType().
+  std::optional<Preset> getPreset() const;
+  /*!
+    Chooses the cues, and nothing else after setPreset(); may be called between frames. With a tracker that was made
+    without a type and got no preset, these are the cues of a tracker made with this type: prediction, search and its
+    budget are off, but where setPrediction(), setSearch(), setSearchBudget() or a file's keys asked for them.
+    \param type Sum of vpTrackerType values. \throw vpException for other values, and for points where the library was
+    built without OpenCV's video, features2d or calib3d module.
   */
   void setTrackerType(int type) override;
   int getTrackerType() const override;
@@ -256,7 +271,8 @@ public:
   void setColorSettings(const vpColorCueSettings &settings);
   vpColorCueSettings getColorSettings() const;
   /*!
-    Starts each frame where a Kalman filter with constant velocity expects the object ([P14] IV). Off by default.
+    Starts each frame where a Kalman filter with constant velocity expects the object ([P14] IV). On by default, off in
+    a tracker that was made with a type.
     \param flag On or off. \param settings How the object is taken to move.
   */
   void setPrediction(bool flag, const vpPoseKalmanSettings &settings = vpPoseKalmanSettings());
@@ -274,9 +290,10 @@ public:
     Looks for a lost object in all of the image and turned any way, see \ref multicue_search; with several cues, best
     with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
     confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
-    takes ten to thirty times as long as others, 50 to 170 ms with 640 x 480 pixels on one core of a shared server. Off
-    by default. With edges alone, too, state and score are then of what the pose explains (\ref multicue_search_edges).
-    \param flag On or off; may change between frames, and init() begins anew.
+    takes ten to thirty times as long as others, 50 to 170 ms with 640 x 480 pixels on one core of a shared server,
+    where setSearchBudget() does not limit it. On by default, off in a tracker that was made with a type. With edges
+    alone, too, state and score are then of what the pose explains (\ref multicue_search_edges). \param flag On or off;
+    may change between frames, and init() begins anew.
   */
   void setSearch(bool flag);
   /*!
@@ -284,7 +301,8 @@ public:
     everywhere, 100 to 2000, follows the time that the last such frames took, and nothing more is begun once the time is
     spent; what was begun is ended, so that single frames take longer. With fewer poses a lost object may be found
     later. The same images then no longer give the same poses to the last bit. A rough start is not limited.
-    \param milliseconds Of a frame, [0, 10000]; 0, the default: no limit. \throw vpException where it is outside.
+    \param milliseconds Of a frame, [0, 10000]; 0: no limit. Default 33, and 0 in a tracker that was made with a type.
+    \throw vpException where it is outside.
   */
   void setSearchBudget(double milliseconds);
   double getSearchBudget() const;
@@ -547,6 +565,7 @@ private:
   bool tryKeyframes(const vpCueFrame &frame, bool isNear);
   const vpModelViewOptions &viewOptions() const;
   void applySettings(const vpMultiCueSettings &settings);
+  void assumePreset();
   vpMultiCueSettings currentSettings() const;
   template <typename Pixel>
   void displayOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,

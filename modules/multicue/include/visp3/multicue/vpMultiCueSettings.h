@@ -7,6 +7,7 @@
 #include <visp3/cues/vpEdgeCue.h>
 #include <visp3/cues/vpPointCue.h>
 #include <visp3/model/vpModelView.h>
+#include <visp3/multicue/vpMultiCuePreset.h>
 #include <visp3/multicue/vpParticleSettings.h>
 #include <visp3/multicue/vpPoseHypotheses.h>
 #include <visp3/se3/vpPoseKalmanFilter.h>
@@ -40,8 +41,11 @@ struct VISP_EXPORT vpMultiCueSettings
   double minPolygonArea = 2500.;    //!< With useLod: smallest face, square pixels, >= 0.
   bool clipToImage = false; //!< ViSP's fov_clipping; kept for vpMbTracker::getClipping(), lines are always clipped.
 
-  //! What a tracker starts with: edges of the texture are used.
+  //! What a tracker of edges starts with, the preset FAST: edges of the texture are used.
   vpMultiCueSettings() { view.textureEdges = true; }
+  //! Sets cues, edge.candidates, hypotheses, particles, color, predicts, prediction, searches and searchBudget as the
+  //! preset has them. The others stay. \throw vpException where the preset is none of the known ones.
+  void setPreset(vpMultiCuePreset preset);
   //! \throw vpException naming the first member out of range.
   void check() const;
 };
@@ -59,7 +63,9 @@ struct VISP_EXPORT vpMultiCueSettings
   than ViSP's parser, this one refuses nodes that it does not know, text that is no number, and decimals that ViSP would
   cut off.
 
-  **JSON**: the list *cues* of one or more of "edge", "color" and "point", and an object, or what is said, for each of
+  **JSON**: *preset*, one of "robust", "fast", "static", "teuliere2010" and "petit2014"
+  (vpMultiCueSettings::setPreset()), which all other keys override wherever they stand; the list *cues* of one or more
+  of "edge", "color" and "point", and an object, or what is said, for each of
   - camera: px, py, u0, v0 and, where there is distortion, kud, kdu; a camera without both has none;
   - edge: range, contrast, mu1, mu2, maskSize, candidates;
   - hypotheses: enabled, lambda, draws, minimisations, mergeTolerance, reach, seed;
@@ -96,7 +102,7 @@ public:
   /*!
     Writes a JSON file from which read() gets the same settings, to the last digit.
     \param file Path, ends in .json.
-    \param settings What to write, all but the details of its view.
+    \param settings What to write, all but the details of its view; single settings, no preset.
     \throw vpException naming the file where it cannot be written, or the setting that is out of range.
   */
   static void write(const std::string &file, const vpMultiCueSettings &settings);
