@@ -21,6 +21,11 @@ const double edgeNoise = 0.5;
 const double edgeBias = 0.05;
 // Rows with less robust weight are called outliers and teach nothing.
 const double outlierWeight = 0.1;
+// That tell by which factor the light has changed.
+const std::size_t fewestRatios = 8;
+// Of the distances of a right pose's edges, pixels, and the share of them that it misses.
+const double evidenceDeviation = 1.;
+const double missedShare = 0.2;
 // What a row keeps of its weight whose edge of the image belongs to others.
 const double leastClaim = 0.05;
 
@@ -192,6 +197,32 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
   shareCandidates();
 }
 
+double vpEdgeCue::adaptToLight(const vpCueFrame &frame, const vpModelView &view)
+{
+  const vpEdgeCueSettings settings = m_settings;
+  m_settings.mu1 = 1.; // Any contrast of the same sign.
+  m_settings.mu2 = HUGE_VAL;
+  match(frame, view);
+  m_settings = settings;
+  std::vector<double> ratios;
+  for (const Match &match : m_matches) {
+    const Memory *memory = recall(match.point);
+    if (memory != nullptr && match.count > 0) {
+      const Candidate &nearest = nearestOf(m_candidates.data() + match.first, match.count);
+      ratios.push_back(nearest.contrast * match.point.side / static_cast<double>(memory->contrast));
+    }
+  }
+  if (ratios.size() < fewestRatios) {
+    return 1.;
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  for (Memory &memory : m_memory) {
+    memory.contrast *= static_cast<float>(*middle);
+  }
+  return *middle;
+}
+
 void vpEdgeCue::shareCandidates()
 {
   vpEdgeClaims claims(m_matches.size());
@@ -224,7 +255,11 @@ void vpEdgeCue::addRow(const Match &match, int choice, const vpLineProjector &pr
     return;
   }
   const Candidate *first = m_candidates.data() + match.first;
-  const Candidate &candidate = choice < 0 ? line.nearest(first, match.count) : first[choice];
+  const double deviation = m_uncertainty / m_camera.get_px();
+  const Candidate &candidate = choice >= 0
+                                   ? first[choice]
+                                   : (deviation > 0. ? line.likeliest(first, match.count, 0.5 / (deviation * deviation))
+                                                     : line.nearest(first, match.count));
   row.weight = vpLight::pull(match.light) * std::max(match.claim, leastClaim);
   row.error = line.distance(candidate.place);
   line.jacobian(candidate.place, row.error, row.jacobian);
@@ -294,6 +329,31 @@ std::vector<double> vpEdgeCue::agreements(const vpHomogeneousMatrix &cMo, double
     each.push_back(agreementOf(match, project, reach));
   }
   return each;
+}
+
+double vpEdgeCue::evidenceOf(const Match &match, const vpLineProjector &project) const
+{
+  double best = 0.;
+  if (match.count > 0) {
+    const vpProjectedLine line = project(match.point);
+    const Candidate *first = m_candidates.data() + match.first;
+    for (int i = 0; line.isSeen() && i < match.count; ++i) {
+      const double d = line.distance(first[i].place) * m_camera.get_px() / evidenceDeviation;
+      best = std::max(best, std::exp(-0.5 * d * d) / (i + 1));
+    }
+  }
+  const double peak = 2. * m_settings.range / (std::sqrt(2. * M_PI) * evidenceDeviation);
+  return std::log(missedShare + (1. - missedShare) * peak * best);
+}
+
+double vpEdgeCue::evidence(const vpHomogeneousMatrix &cMo) const
+{
+  const vpLineProjector project(cMo);
+  vpLight::Mean mean;
+  for (const Match &match : m_matches) {
+    mean.add(evidenceOf(match, project), match.light);
+  }
+  return mean.value();
 }
 
 void vpEdgeCue::updateReference(const vpHomogeneousMatrix &cMo, const std::vector<double> &weights)

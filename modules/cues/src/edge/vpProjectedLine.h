@@ -61,6 +61,21 @@ public:
     return *best;
   }
 
+  //! The likeliest of \e count candidates, best first, where the line may be off by a normal deviation.
+  //! \param precision 1 / (2 deviation^2), in normalised coordinates.
+  const vpEdgeCue::Candidate &likeliest(const vpEdgeCue::Candidate *candidates, int count, double precision) const
+  {
+    int best = 0;
+    double least = HUGE_VAL;
+    for (int i = 0; i < count; ++i) {
+      const double d = distance(candidates[i].place);
+      const double cost = precision * d * d + std::log1p(i);
+      best = cost < least ? i : best;
+      least = std::min(cost, least);
+    }
+    return candidates[best];
+  }
+
 private:
   double offPlane(const Eigen::Vector2d &place) const
   {

@@ -120,6 +120,14 @@ public:
                    std::vector<vpCueFeature> &features) const override;
 
   /*!
+    Takes it that the light has changed all contrasts since the last updateReference() by one factor, as it does when a
+    lamp is switched or a camera's exposure jumps: what is remembered is multiplied by the median of those that the
+    image has at the view's pose. \param frame Image. \param view Of the pose where the object is expected. \return The
+    factor; 1 where fewer than 8 control points tell it.
+  */
+  double adaptToLight(const vpCueFrame &frame, const vpModelView &view);
+
+  /*!
     How well the last match agrees with a pose.
     \param cMo Pose.
     \param reach Distance of a candidate from which on it does not agree, pixels, > 0.
@@ -129,6 +137,23 @@ public:
   double agreement(const vpHomogeneousMatrix &cMo, double reach) const;
   //! The same for each of matches(): 1 - (distance / reach)^2, 0 where no candidate is within reach.
   std::vector<double> agreements(const vpHomogeneousMatrix &cMo, double reach) const;
+
+  /*!
+    Says how far off the pose may be that residuals() are asked for. Each control point then takes its likeliest
+    candidate in place of the nearest: the k-th best of n on a line of length 2 R is met by chance with a density of
+    k / 2 R, so that the cost of a candidate at a distance d is d^2 / (2 s^2) + log k. Far off, the best candidate
+    counts, as in ViSP's moving edges; near, the nearest.
+    \param pixels Deviation s of the projected edges, pixels; 0, the default: the nearest candidate.
+  */
+  void setUncertainty(double pixels) { m_uncertainty = pixels; }
+
+  /*!
+    How much more likely the last match is at a pose than anywhere else: the mean over the control points of the
+    logarithm of \f$ p + (1 - p) \max_k \frac{2R}{k} N(d_k; \sigma) \f$, with p the share of edges that a right pose
+    misses, too. Each counts as far as there is light. \param cMo Pose. \return Log p at least; 0 without control
+    points.
+  */
+  double evidence(const vpHomogeneousMatrix &cMo) const;
 
   const std::vector<Match> &matches() const { return m_matches; }
   const std::vector<Candidate> &candidates() const { return m_candidates; }
@@ -150,7 +175,10 @@ private:
   const Memory *recall(const vpControlPoint &point) const;
   void remember(const Match &match, const Memory &memory);
 
+  double evidenceOf(const Match &match, const vpLineProjector &project) const;
+
   vpEdgeCueSettings m_settings;
+  double m_uncertainty = 0.; // Pixels.
   vpCameraParameters m_camera;
   std::vector<Match> m_matches;
   std::vector<Candidate> m_candidates;
