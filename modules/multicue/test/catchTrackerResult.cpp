@@ -112,7 +112,7 @@ TEST_CASE("A result is what the single getters say of a frame", "[tracker]")
       if (cue.type == edge) {
         CHECK(cue.good == tracker.getNbFeaturesEdge());
       }
-      CHECK(std::isnan(cue.agreement) == (type == edge || cue.type == klt));
+      CHECK(std::isnan(cue.agreement) == (cue.type == klt));
       if (!std::isnan(cue.agreement)) {
         CHECK(cue.agreement > 0.6);
       }

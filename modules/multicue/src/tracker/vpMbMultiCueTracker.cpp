@@ -63,7 +63,7 @@ void vpMbMultiCueTracker::start(unsigned int width, unsigned int height)
 template <typename Pixel> void vpMbMultiCueTracker::startOn(const vpImage<Pixel> &I)
 {
   start(I.getWidth(), I.getHeight());
-  learnStart(m_impl->source.frame(I, m_cam, m_mask));
+  captureStart(m_impl->source.frame(I, m_cam, m_mask));
   followFaces(I.getWidth(), I.getHeight());
 }
 
@@ -115,6 +115,10 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
                       frame.width(), frame.height(), m_impl->width, m_impl->height);
   }
   Impl &impl = *m_impl;
+  if (impl.captured) {
+    m_cMo = *impl.captured;
+    impl.captured.reset();
+  }
   impl.minimisations = 0;
   impl.wasTracking = impl.state == vpTrackingState::TRACKING;
   impl.frameCamera = frame.camera();
@@ -133,13 +137,10 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   if (explores) {
     lookAround(frame);
   }
-  judge(estimate(frame));
-  if (impl.state == vpTrackingState::LOST && !compares) {
-    // A jump of the light changes all contrasts at once: without what was remembered of them the edges may be there
-    // yet.
-    m_cMo = cMoBefore;
-    impl.edges.reset();
+  if (compares) {
     judge(estimate(frame));
+  } else {
+    followEdges(frame, cMoBefore);
   }
   if (impl.rough.hasHint && !compares) {
     compareHint(frame);
@@ -150,7 +151,7 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
     updateParticles(frame, impl.attempted);
   }
   if (!compares && impl.searches) {
-    judgeEdges(frame);
+    judgeByMap(frame);
   }
   updateCovariance();
   impl.chooseTrack();
@@ -178,29 +179,6 @@ void vpMbMultiCueTracker::trackFrame(const vpCueFrame &frame)
   }
 }
 
-// With edges alone and a search for what is lost: the distance map decides, since what hides the object leaves few of
-// the matches of a right pose.
-void vpMbMultiCueTracker::judgeEdges(const vpCueFrame &frame)
-{
-  Impl &impl = *m_impl;
-  if (!impl.particles.settings().enabled && impl.scoredFrame != frame.number()) {
-    impl.scoreRegion(frame, impl.regionAround(m_cMo));
-  }
-  lookAtEdges(); // For what is usual of the matches.
-  double share = mapShare();
-  if (impl.stateOf(share) != vpTrackingState::TRACKING && impl.scoredFrame != frame.number()) {
-    impl.scoreFrame(frame); // The pose may be outside the region.
-    share = mapShare();
-  }
-  impl.best = Impl::Attempt();
-  impl.best.cMo = m_cMo;
-  impl.best.explained = impl.best.value = share;
-  if (impl.state != vpTrackingState::LOST) {
-    impl.state = impl.stateOf(share);
-    impl.outcome = impl.outcomeOf(impl.state);
-  }
-}
-
 // The pose that is not trusted may be the one that was followed: how it moves is known.
 void vpMbMultiCueTracker::followDoubtful()
 {
@@ -219,7 +197,7 @@ void vpMbMultiCueTracker::learn(const vpCueFrame &frame)
   ++impl.trustedFrames;
   updateReferences();
   impl.learnResidue();
-  if (impl.judgesCues()) {
+  if (impl.state == vpTrackingState::TRACKING) {
     learnUsual();
   }
   if (impl.type != EDGE_TRACKER) {

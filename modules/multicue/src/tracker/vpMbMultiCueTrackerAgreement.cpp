@@ -196,9 +196,10 @@ void vpMbMultiCueTracker::learnUsualOfStart(const vpCueFrame &frame)
   if (impl.uses(EDGE_TRACKER)) {
     impl.edges.match(frame, *impl.view);
     impl.usual.edges = shareOfStart * edgeAgreement();
+    impl.usual.evidence = shareOfStart * (impl.edges.evidence(m_cMo) - Impl::evidenceByChance) + Impl::evidenceByChance;
     impl.usual.edgeCount = static_cast<double>(impl.edges.matches().size());
   }
-  if (impl.type == EDGE_TRACKER) {
+  if (impl.type == EDGE_TRACKER && impl.searches) {
     impl.scoreFrame(frame);
     mapShare();
     impl.usual.mapDistance = impl.agreement.mapDistance;
@@ -232,6 +233,9 @@ void vpMbMultiCueTracker::learnUsual()
     usual += rate * (value - usual);
   };
   impl.usual.edgeCount += usualCountRate * (impl.agreement.edgeCount - impl.usual.edgeCount);
+  // The first frame that is followed tells more than the start, where nothing was remembered of the edges yet.
+  const double clearer = impl.agreement.evidence - impl.usual.evidence;
+  impl.usual.evidence += (impl.trustedFrames == 1 ? 1. : (clearer > 0. ? usualRiseRate : fallRate)) * clearer;
   const double farther = impl.agreement.mapDistance - impl.usual.mapDistance;
   impl.usual.mapDistance += (farther > 0. ? fallRate : nearerRate) * farther;
   learn(impl.agreement.edges, impl.usual.edges, impl.unsteadiness.edges);

@@ -228,9 +228,6 @@ void vpMbMultiCueTracker::learnStart(const vpCueFrame &frame)
 {
   Impl &impl = *m_impl;
   impl.frameCamera = frame.camera();
-  if (!impl.judgesCues()) {
-    return;
-  }
   computeView(frame, m_cMo);
   if (impl.type != EDGE_TRACKER) {
     impl.surface.setFrame(frame);

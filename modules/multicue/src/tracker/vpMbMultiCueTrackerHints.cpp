@@ -120,7 +120,8 @@ std::vector<vpHomogeneousMatrix> vpMbMultiCueTracker::hintStarts(const vpCueFram
                  vpRoughStart::spreadOf(rough.hintDeviation, impl.model->diameter()), drawn);
   impl.settle(search);
   search.keepBest(mostStarts - 1, vpPoseSearch::same());
-  std::vector<vpHomogeneousMatrix> starts = {rough.hint};
+  capture(frame, rough.hint, 1.); // It may be some pixels off, as a start.
+  std::vector<vpHomogeneousMatrix> starts = {rough.hint, m_cMo};
   for (const vpPoseCandidate &candidate : search.candidates()) {
     starts.push_back(candidate.cMo);
   }
@@ -182,7 +183,10 @@ void vpMbMultiCueTracker::compareHint(const vpCueFrame &frame)
     impl.edges = references;
   }
   if (isTaken || !isLost) {
-    judge(estimateFrom(frame, false));
+    judgeByEvidence(estimateFrom(frame, false));
+    if (impl.edgesBeforeLoss) {
+      confirmByEvidence(frame);
+    }
   }
 }
 

@@ -42,10 +42,7 @@ double vpMbMultiCueTracker::Impl::score() const
   if (!isJudged || good == 0) {
     return 0.;
   }
-  if (judgesCues()) {
-    return state == vpTrackingState::LOST ? 0. : believed();
-  }
-  return support();
+  return state == vpTrackingState::LOST ? 0. : believed();
 }
 
 vpMbTrackingResult::Cue vpMbMultiCueTracker::Impl::resultOf(int cue) const
@@ -57,7 +54,7 @@ vpMbTrackingResult::Cue vpMbMultiCueTracker::Impl::resultOf(int cue) const
   result.good = supportOf[indexOf(cue)].good;
   if (cue == EDGE_TRACKER) {
     result.name = "edge";
-    result.agreement = judgesCues() ? agreement.edges : none;
+    result.agreement = agreement.edges;
   } else if (cue == COLOR_TRACKER) {
     result.name = "color";
     result.agreement = agreement.color;

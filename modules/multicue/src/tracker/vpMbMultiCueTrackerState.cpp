@@ -104,9 +104,6 @@ void vpMbMultiCueTracker::confirm()
 void vpMbMultiCueTracker::believe()
 {
   Impl &impl = *m_impl;
-  if (!impl.judgesCues()) {
-    return;
-  }
   if (impl.state == vpTrackingState::LOST) {
     impl.belief.lose();
     return;

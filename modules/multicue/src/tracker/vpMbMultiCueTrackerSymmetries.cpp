@@ -20,13 +20,16 @@ const vpModelSymmetries &vpMbMultiCueTracker::getSymmetries() const
 
 // Motions that pose hypotheses may take: they rest on edges alone, and outlines do not show turns about an axis of the
 // shape.
+// Those of the user that edges can show.
+vpPoseMatrix6 vpMbMultiCueTracker::Impl::freeMotions(const vpMatrix &oJo) const
+{
+  const vpPoseMatrix6 chosen = vpMotionFrame::toEigen(oJo);
+  return !symmetries.hasAxis() || edgesShowTurns() ? chosen : vpPoseMatrix6(symmetries.visibleMotions() * chosen);
+}
+
 void vpMbMultiCueTracker::Impl::restrictHypotheses(const vpMatrix &oJo)
 {
-  if (!symmetries.hasAxis() || edgesShowTurns()) {
-    hypotheses.setEstimatedMotions(oJo);
-    return;
-  }
-  const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> both = symmetries.visibleMotions() * vpMotionFrame::toEigen(oJo);
+  const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> both = freeMotions(oJo);
   visibleMotions.resize(6, 6, false, false);
   std::copy(both.data(), both.data() + 36, visibleMotions.data);
   hypotheses.setEstimatedMotions(visibleMotions);

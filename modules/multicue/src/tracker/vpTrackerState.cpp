@@ -228,6 +228,7 @@ void vpMbMultiCueTracker::Impl::weighScore(bool byEdges)
 
 void vpMbMultiCueTracker::Impl::forgetImages()
 {
+  captured.reset();
   surface.reset();
   keyframes.reset();
   keyframeIsProvisional = false;
@@ -249,6 +250,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   outsideFrames = 0;
   doubtfulFrames = 0;
   disbelievedFrames = 0;
+  edgesBeforeLoss.reset();
   scoredFrame = 0;
   particles.clear();
   edges = vpEdgeCue(edges.settings());
@@ -269,6 +271,7 @@ void vpMbMultiCueTracker::Impl::forgetImages()
   hypotheses.clear();
   otherHypotheses.clear();
   draws = 0;
+  captures = 0;
   usualResidue = 0.;
   minimisations = 0;
   expected = 0;

@@ -125,7 +125,8 @@ public:
   /** @name Tracking */
   //@{
   /*!
-    Starts at the current pose; the init functions of vpMbTracker end here.
+    Starts at the current pose; the init functions of vpMbTracker end here. The pose may be some pixels off: the image
+    is looked at, see \ref multicue_capture, and tracking begins where it shows the object; getPose() stays until then.
     \throw vpException where there is no model, the image is empty, or the pose is not finite, behind the camera or
     outside the image; the pose before stays.
   */
@@ -201,8 +202,8 @@ public:
   vpMbTrackingResult getTrackingResult() const;
   //! How the last frame went; UNCERTAIN before the first one.
   vpTrackingState getTrackingState() const;
-  //! Share of the features that the robust estimation kept in the last frame, [0, 1]. The state is judged by it with
-  //! edges alone and no search, and else by what the pose explains, see \ref multicue_fusion.
+  //! Share of the features that the robust estimation kept in the last frame, [0, 1]. The state is judged by it and by
+  //! what the pose explains, see \ref multicue_pose and \ref multicue_fusion.
   double getSupport() const;
   //! Where the time of the last track() went.
   const vpTrackingTimings &getTimings() const;
@@ -500,6 +501,8 @@ private:
   bool isBelievable() const;
   void setPrior();
   void learnSurprise();
+  void capture(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, double reach);
+  void captureStart(const vpCueFrame &frame);
   void learnStart(const vpCueFrame &frame);
   void learnReferencesOfStart(const vpCueFrame &frame);
   bool estimateFused(const vpCueFrame &frame);
@@ -559,7 +562,11 @@ private:
   bool refineHypothesis(const vpCueFrame &frame, std::size_t index, unsigned int most);
   bool takeBestHypothesis(const vpCueFrame &frame);
   void judge(bool estimated);
-  void judgeEdges(const vpCueFrame &frame);
+  void judgeByEvidence(bool estimated);
+  void followEdges(const vpCueFrame &frame, const vpHomogeneousMatrix &cMoBefore);
+  void captureAgain(const vpCueFrame &frame);
+  void confirmByEvidence(const vpCueFrame &frame);
+  void judgeByMap(const vpCueFrame &frame);
   void learn(const vpCueFrame &frame);
   void learnKeyframe(const vpCueFrame &frame);
   bool tryKeyframes(const vpCueFrame &frame, bool isNear);

@@ -67,9 +67,8 @@ struct vpMbTrackingResult
   vpMatrix covariance;
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   /*!
-    How far to believe the pose, [0, 1]; 0 before the first image and while the object is lost. With several cues
-    or a search it is the probability that the pose is right, see \ref multicue_search_belief; with edges alone and no
-    search the share of the control points that support it, which is no probability.
+    How far to believe the pose, [0, 1]; 0 before the first image and while the object is lost: the probability that
+    the pose is right, see \ref multicue_search_belief.
   */
   double score = 0.;
   Reason reason = Reason::NOT_STARTED;
