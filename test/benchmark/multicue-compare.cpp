@@ -91,7 +91,8 @@ int main(int argc, const char *argv[])
     if (!options.read(argc, argv)) {
       return 0;
     }
-    vpMbGenericTracker visp(1, vpMbGenericTracker::EDGE_TRACKER);
+    const int type = vpMbGenericTracker::EDGE_TRACKER | (options.points ? vpMbGenericTracker::KLT_TRACKER : 0);
+    vpMbGenericTracker visp(1, type);
     prepare(visp, options);
     if (options.oldScaleThreshold > 0.) {
       // For files whose threshold is in gray levels, which ViSP 3.5 reads in its old scale.
@@ -101,7 +102,7 @@ int main(int argc, const char *argv[])
     }
     visp.setScanLineVisibilityTest(options.scanline);
 
-    vpMbMultiCueTracker ours(vpMbMultiCueTracker::EDGE_TRACKER);
+    vpMbMultiCueTracker ours(1, type);
     ours.setModelUnit(options.unit);
     compareOptions ourOptions = options;
     if (!options.mesh.empty()) {
@@ -133,7 +134,7 @@ int main(int argc, const char *argv[])
         ++frames;
         return tracker.getTrackingState() == vpTrackingState::TRACKING;
       });
-      report.add("visp-edge", theirs);
+      report.add("visp", theirs);
       report.add("multicue", mine);
       if (i == 0 && !options.poses.empty()) {
         report.writePoses(options.poses, mine);

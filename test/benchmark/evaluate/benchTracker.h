@@ -20,6 +20,7 @@ struct BenchImage
 {
   vpImage<vpRGBa> color;
   vpImage<unsigned char> gray;
+  bool isGray = false; //!< Trackers are to see the gray one.
 };
 
 //! What a tracker says after an image.

@@ -49,6 +49,7 @@ struct compareOptions
   int repeat = 1;
   unsigned int candidates = 3;
   double oldScaleThreshold = 0.;
+  bool points = false; //!< Beside the edges.
   bool hypotheses = false;
   bool scanline = false;
 
@@ -72,6 +73,7 @@ struct compareOptions
         {"--repeat", [this](std::istringstream &s) { s >> repeat; }},
         {"--candidates", [this](std::istringstream &s) { s >> candidates; }},
         {"--old-threshold", [this](std::istringstream &s) { s >> oldScaleThreshold; }},
+        {"--points", [this](std::istringstream &s) { s >> points; }},
         {"--hypotheses", [this](std::istringstream &s) { s >> hypotheses; }},
         {"--scanline", [this](std::istringstream &s) { s >> scanline; }},
     };
@@ -150,7 +152,7 @@ private:
 
   template <typename Table> static void help(const Table &table)
   {
-    std::cout << "Compares vpMbMultiCueTracker with vpMbGenericTracker(EDGE_TRACKER) on a recording.\nOptions, each "
+    std::cout << "Compares vpMbMultiCueTracker with vpMbGenericTracker on a recording, by edges.\nOptions, each "
                  "with a value:";
     for (const auto &entry : table) {
       std::cout << " " << entry.first;
@@ -158,7 +160,7 @@ private:
     std::cout << "\n  --images and --truth are printf patterns (or a video), --part is \"FILE and the 12 numbers of "
                  "its pose\",\n"
                  "  --init-points is \"u v X Y Z\" repeated, --mesh is what our tracker loads in place of --model,\n"
-                 "  --hypotheses 1 switches pose hypotheses on and counts minimisations,\n"
+                 "  --points 1 has both use points as well, --hypotheses 1 switches pose hypotheses on and counts minimisations,\n"
                  "  --write-mesh where the surface of the model is written as .obj.\n";
   }
 };

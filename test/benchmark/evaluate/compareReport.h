@@ -85,9 +85,9 @@ public:
       }
       m_os << "\n";
     }
-    m_os << "time ratio multicue / visp-edge (medians): " << std::setprecision(2)
+    m_os << "time ratio multicue / visp (medians): " << std::setprecision(2)
          << quantile(m_frames.at("multicue"), &compareFrame::ms, 0.5) /
-                quantile(m_frames.at("visp-edge"), &compareFrame::ms, 0.5)
+                quantile(m_frames.at("visp"), &compareFrame::ms, 0.5)
          << std::endl;
   }
 

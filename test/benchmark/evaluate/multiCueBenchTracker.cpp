@@ -118,7 +118,14 @@ public:
     preset.change(m_tracker);
   }
 
-  void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) override { m_tracker.initFromPose(I.color, cMo); }
+  void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) override
+  {
+    if (I.isGray) {
+      m_tracker.initFromPose(I.gray, cMo);
+    } else {
+      m_tracker.initFromPose(I.color, cMo);
+    }
+  }
   void startRoughly(const BenchImage &I, const vpHomogeneousMatrix &cMo, double angleDeviation,
                     double translationDeviation) override
   {
@@ -127,7 +134,14 @@ public:
     deviation.rotation = angleDeviation;
     m_tracker.initFromRoughPose(I.color, cMo, deviation);
   }
-  void track(const BenchImage &I) override { m_tracker.track(I.color); }
+  void track(const BenchImage &I) override
+  {
+    if (I.isGray) {
+      m_tracker.track(I.gray);
+    } else {
+      m_tracker.track(I.color);
+    }
+  }
 
   TrackerAnswer answer() override
   {

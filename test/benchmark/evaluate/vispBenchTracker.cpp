@@ -4,6 +4,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/cues/vpEdgeCue.h>
 #include <visp3/mbt/vpMbGenericTracker.h>
+#include <visp3/multicue/vpMultiCueSettings.h>
 
 #include <map>
 
@@ -57,6 +58,19 @@ void setPoints(vpMbGenericTracker &)
 }
 #endif
 
+// ViSP 3.5 reads a threshold that is in gray levels in its old scale.
+void keepContrast(vpMbGenericTracker &tracker, const std::string &config)
+{
+  if ((tracker.getTrackerType() & vpMbGenericTracker::EDGE_TRACKER) != 0) {
+    vpMe me = tracker.getMovingEdge();
+    if (!vpMeHasNormalizedThreshold(me)) {
+      const vpEdgeCueSettings settings = vpMultiCueSettingsReader::read(config, vpMultiCueSettings()).edge;
+      me.setThreshold(vpEdgeCueSettings::toLikelihood(settings.contrast, me.getMaskSize()));
+      tracker.setMovingEdge(me);
+    }
+  }
+}
+
 class VispBenchTracker : public BenchTracker
 {
 public:
@@ -73,6 +87,7 @@ public:
     m_tracker.setAngleDisappear(vpMath::rad(80.));
     if (!config.empty()) {
       m_tracker.loadConfigFile(config, false);
+      keepContrast(m_tracker, config);
     }
     m_tracker.setCameraParameters(cam);
     m_tracker.loadModel(object.cao);
