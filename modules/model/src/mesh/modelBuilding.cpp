@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <locale>
 #include <sstream>
 #include <utility>
 
@@ -126,6 +127,7 @@ void vpTrackedModelBuilder::checkSize(double diameter, const std::string &file) 
     return;
   }
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(4);
   text << "model '" << file << "' is " << diameter << " m wide (unit " << m_options.unit << " m): ";
   if (diameter > m_options.maxSize) {
@@ -188,6 +190,7 @@ vpTrackedModel vpTrackedModelBuilder::build(const std::string &file) const
   report.unit = m_options.unit;
   describeBox(box, report);
   report.missingImages = m_missingImages;
+  report.warnings = m_warnings;
   VertexPool pool(box.lower, report.diameter, m_options.weldTolerance * report.diameter, m_triangles.size(),
                   parts.vertices);
   assemblePrimitives(file, parts, pool);

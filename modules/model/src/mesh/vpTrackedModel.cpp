@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/model/vpTrackedModel.h>
 
+#include <locale>
 #include <ostream>
 #include <sstream>
 
@@ -64,6 +65,7 @@ std::ostream &operator<<(std::ostream &os, const vpModelReport &report)
 {
   // A stream of its own: the caller's precision and flags neither count nor change.
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(4);
   writeSize(text, report);
   writeCounts(text, report);
@@ -82,6 +84,9 @@ std::ostream &operator<<(std::ostream &os, const vpModelReport &report)
   tell(text, "warning", report.borderEdges, "border edge", "border edges");
   tell(text, "warning", report.nonManifoldEdges, "edge with more than two faces", "edges with more than two faces");
   tell(text, "warning", report.missingImages, "texture image could not be read", "texture images could not be read");
+  for (const std::string &warning : report.warnings) {
+    text << "  warning: " << warning << "\n";
+  }
   return os << text.str();
 }
 END_VISP_NAMESPACE

@@ -113,4 +113,11 @@ int vpTrackedModelBuilder::addImage(const vpImage<vpRGBa> &image)
   m_appearance.images.push_back(image);
   return lastIndex(m_appearance.images);
 }
+
+void vpTrackedModelBuilder::addWarning(const std::string &text)
+{
+  if (std::find(m_warnings.begin(), m_warnings.end(), text) == m_warnings.end()) {
+    m_warnings.push_back(text);
+  }
+}
 END_VISP_NAMESPACE

@@ -7,10 +7,11 @@
 
 BEGIN_VISP_NAMESPACE
 
+struct vpCaoFile;
+
 /*!
-  Lets ViSP's own parsers of .cao and .wrl files do the reading: a tracker that tracks nothing and hands what
-  vpMbTracker::loadModel() calls back with to a model builder. A file that turns out broken half way has then changed
-  nothing else.
+  Hands what is in a .cao or .wrl file to a model builder. For .wrl files it is a tracker that tracks nothing, with
+  which ViSP's own parser calls back. A file that turns out broken half way has then changed nothing else.
 */
 class vpPrimitiveCollector : public vpMbTracker
 {
@@ -26,9 +27,6 @@ public:
                                    const vpHomogeneousMatrix &odTo);
 
 protected:
-  //! Also reads files that consist of load() lines alone, which older versions of ViSP read and then refuse.
-  void loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename, int &startIdFace,
-                    bool verbose, bool parent, const vpHomogeneousMatrix &odTo) override;
   void initCircle(const vpPoint &centre, const vpPoint &second, const vpPoint &third, double radius, int idFace,
                   const std::string &name) override;
   void initCylinder(const vpPoint &start, const vpPoint &end, double radius, int idFace,
@@ -40,7 +38,8 @@ private:
   explicit vpPrimitiveCollector(const vpTrackedModelBuilder &builder) : m_builder(builder) {}
   //! Leaves Coin, the library behind .wrl files, running: the application's other trackers may use it.
   ~vpPrimitiveCollector() override { m_sodb_init_called = false; }
-  void addPolygonLines(const vpMbtPolygon &polygon, bool closed);
+  void addCao(const vpCaoFile &file);
+  void addPolygonLines(const std::vector<Eigen::Vector3d> &corners, bool closed, const std::string &name, int index);
 
   // What vpMbTracker demands of a tracker and reading does not use.
   void computeVVSInit() override {}
@@ -69,7 +68,6 @@ private:
   void track(const vpImage<vpRGBa> &) override {}
 
   vpTrackedModelBuilder m_builder;
-  unsigned int m_partsRead = 0; // Files that the parser came to the end of.
 };
 
 END_VISP_NAMESPACE

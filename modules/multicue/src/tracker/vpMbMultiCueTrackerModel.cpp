@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "model/vpCaoParent.h"
 #include "model/vpPrimitiveCollector.h"
 #include "tracker/vpMbTrackerNames.h"
 #include "tracker/vpTrackerState.h"
@@ -71,20 +70,6 @@ void vpMbMultiCueTracker::takeModel(vpTrackedModelBuilder &&parts, vpTrackedMode
   updatePointFilter();
   if (verbose) {
     std::cout << m_impl->model->report() << std::flush;
-  }
-}
-
-void vpMbMultiCueTracker::loadCAOModel(const std::string &modelFile, std::vector<std::string> &vectorOfModelFilename,
-                                       int &startIdFace, bool verbose, bool parent, const vpHomogeneousMatrix &odTo)
-{
-  try {
-    // To ViSP being a parent means printing; else it does not matter.
-    vpMbTracker::loadCAOModel(modelFile, vectorOfModelFilename, startIdFace, verbose, parent && verbose, odTo);
-  } catch (...) {
-    // collect() has read the same file without an error: what fails is the end of a file of load() lines alone.
-    if (countPartsOfCaoParent(modelFile) == 0) {
-      throw;
-    }
   }
 }
 

@@ -1,13 +1,53 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include "model/vpStartFile.h"
+
+#include <locale>
+
 // vpMbTracker finds the pose and ends in init() with a gray image: the colours are learnt afterwards.
 
 BEGIN_VISP_NAMESPACE
 
+namespace {
+// ViSP's reader takes numbers in the locale that streams start with.
+class ClassicStreams
+{
+public:
+  ClassicStreams() : m_before(std::locale::global(std::locale::classic())) {}
+  ~ClassicStreams() { std::locale::global(m_before); }
+  ClassicStreams(const ClassicStreams &) = delete;
+  ClassicStreams &operator=(const ClassicStreams &) = delete;
+
+private:
+  std::locale m_before;
+};
+} // namespace
+
+void vpMbMultiCueTracker::initClick(const vpImage<unsigned char> &I, const std::string &initFile, bool displayHelp,
+                                    const vpHomogeneousMatrix &T)
+{
+  vpStartFile::requirePointsToClick(initFile);
+  const ClassicStreams classic;
+  vpMbTracker::initClick(I, initFile, displayHelp, T);
+}
+
+void vpMbMultiCueTracker::initFromPoints(const vpImage<unsigned char> &I, const std::string &initFile)
+{
+  const vpStartFile::Points points = vpStartFile::readPoints(initFile);
+  vpMbTracker::initFromPoints(I, points.image, points.object);
+}
+
+void vpMbMultiCueTracker::initFromPose(const vpImage<unsigned char> &I, const std::string &initFile)
+{
+  vpMbTracker::initFromPose(I, vpStartFile::readPose(initFile));
+}
+
 void vpMbMultiCueTracker::initClick(const vpImage<vpRGBa> &I_color, const std::string &initFile, bool displayHelp,
                                     const vpHomogeneousMatrix &T)
 {
+  vpStartFile::requirePointsToClick(initFile);
+  const ClassicStreams classic;
   vpMbTracker::initClick(I_color, initFile, displayHelp, T);
   startOn(I_color);
 }
@@ -21,7 +61,8 @@ void vpMbMultiCueTracker::initClick(const vpImage<vpRGBa> &I_color, const std::v
 
 void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const std::string &initFile)
 {
-  vpMbTracker::initFromPoints(I_color, initFile);
+  const vpStartFile::Points points = vpStartFile::readPoints(initFile);
+  vpMbTracker::initFromPoints(I_color, points.image, points.object);
   startOn(I_color);
 }
 
@@ -34,7 +75,7 @@ void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const s
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const std::string &initFile)
 {
-  vpMbTracker::initFromPose(I_color, initFile);
+  vpMbTracker::initFromPose(I_color, vpStartFile::readPose(initFile));
   startOn(I_color);
 }
 

@@ -96,13 +96,14 @@ struct vpModelReport
   std::size_t degenerateTriangles = 0; //!< Triangles without area that were dropped.
   std::size_t duplicateTriangles = 0;  //!< Triangles with the same three vertices as another one that were dropped.
   std::size_t flippedTriangles = 0;    //!< Triangles turned over because their neighbours disagreed.
-  std::size_t flippedFaces = 0;     //!< Polygons of a .cao or .wrl wound against a neighbour (reported, not changed).
-  std::size_t borderEdges = 0;      //!< Edges with one triangle, or one polygon, only.
-  std::size_t holes = 0;            //!< Closed loops of a mesh's border edges.
-  std::size_t nonManifoldEdges = 0; //!< Edges with more than two triangles, or polygons.
-  std::size_t missingImages = 0;    //!< Texture images that the file names and that could not be read.
-  bool closed = false;              //!< A surface without border edges.
-  bool convex = false;              //!< Nothing of the object can hide another part of it.
+  std::size_t flippedFaces = 0;      //!< Polygons of a .cao or .wrl wound against a neighbour (reported, not changed).
+  std::size_t borderEdges = 0;       //!< Edges with one triangle, or one polygon, only.
+  std::size_t holes = 0;             //!< Closed loops of a mesh's border edges.
+  std::size_t nonManifoldEdges = 0;  //!< Edges with more than two triangles, or polygons.
+  std::size_t missingImages = 0;     //!< Texture images that the file names and that could not be read.
+  std::vector<std::string> warnings; //!< What the file lacks or may have lost, in whole sentences or parts of them.
+  bool closed = false;               //!< A surface without border edges.
+  bool convex = false;               //!< Nothing of the object can hide another part of it.
 };
 
 /*! \ingroup group_model_geometry Prints a report in a few lines, lengths with their unit. */

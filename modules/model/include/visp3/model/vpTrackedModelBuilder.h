@@ -85,6 +85,8 @@ public:
     \return Its index for addTriangle(), -1 for an empty one.
   */
   int addImage(const vpImage<vpRGBa> &image);
+  //! Has the report say what may be wrong with the file; the same text once only.
+  void addWarning(const std::string &text);
 
   /*!
     Welds, repairs windings, finds creases, borders and curved faces, fills the report.
@@ -121,6 +123,7 @@ private:
   std::vector<std::array<Eigen::Vector3d, 3>> m_triangles;
   vpModelAppearance m_appearance; //!< Of m_triangles; its vectors stay empty until a triangle needs them.
   std::size_t m_missingImages = 0;
+  std::vector<std::string> m_warnings;
 };
 
 END_VISP_NAMESPACE

@@ -22,6 +22,7 @@ BEGIN_VISP_NAMESPACE
 
 class vpContourEvidence;
 class vpPoseSearch;
+struct vpCaoShape;
 
 /*!
   \ingroup group_multicue
@@ -134,6 +135,16 @@ public:
   using vpMbOneCamera::initClick;
   using vpMbOneCamera::initFromPoints;
   using vpMbOneCamera::initFromPose;
+  /*!
+    As vpMbTracker's.
+    \throw vpException naming the file, and the line, where it lacks a number; ViSP takes 0 for it.
+  */
+  void initClick(const vpImage<unsigned char> &I, const std::string &initFile, bool displayHelp = false,
+                 const vpHomogeneousMatrix &T = vpHomogeneousMatrix()) override;
+  //! As vpMbTracker's. \throw vpException naming the file, and the line, where it lacks a number.
+  void initFromPoints(const vpImage<unsigned char> &I, const std::string &initFile) override;
+  //! As vpMbTracker's. \throw vpException naming the file where it does not hold six numbers.
+  void initFromPose(const vpImage<unsigned char> &I, const std::string &initFile) override;
   /** @name Starts on colour images: as vpMbTracker's, and the colours that the image shows there are learnt. */
   //@{
   void initClick(const vpImage<vpRGBa> &I_color, const std::string &initFile, bool displayHelp = false,
@@ -435,6 +446,14 @@ private:
                                 const vpHomogeneousMatrix &odTo) const;
   void takeModel(vpTrackedModelBuilder &&parts, vpTrackedModel &&loaded, const std::string &modelFile, bool verbose,
                  const vpHomogeneousMatrix &odTo);
+  struct KnownLines;
+  void addCaoFace(const vpCaoShape &shape, int &face, KnownLines &lines);
+  void addProjectionErrorLines(const vpMbtPolygon &polygon, bool ofLines, KnownLines &lines);
+  void addCaoCylinder(const vpCaoShape &shape, int &face);
+  void addCaoCircle(const vpCaoShape &shape, int &face);
+  bool usesLod(const vpCaoShape &shape) const;
+  double smallestLine(const vpCaoShape &shape) const;
+  double smallestArea(const vpCaoShape &shape) const;
   void updateDetails();
   template <typename Pixel>
   void replaceModel(const vpImage<Pixel> &I, const std::string &modelFile, const vpHomogeneousMatrix &cMo, bool verbose,

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catchMain.h>
+
+#include "renderedBox.h"
+
+#include <fileVariants.h>
+#include <meshFiles.h>
+
+#include <visp3/multicue/vpMbMultiCueTracker.h>
+
+namespace {
+template <typename Call> std::string messageOf(const Call &call)
+{
+  try {
+    call();
+  } catch (const vpException &e) {
+    return e.getMessage();
+  }
+  return "no exception";
+}
+
+struct Fixture
+{
+  Fixture()
+  {
+    tracker.setCameraParameters(renderedBox::camera());
+    tracker.loadModel(renderedBox::writeCao(folder.path("box.cao")));
+    I = box.draw(renderedBox::pose());
+  }
+
+  meshFiles::TemporaryFolder folder;
+  renderedBox box;
+  vpMbMultiCueTracker tracker;
+  vpImage<unsigned char> I;
+};
+
+std::string poseText()
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(12);
+  const vpPoseVector pose(renderedBox::pose());
+  for (unsigned int i = 0; i < 6; ++i) {
+    text << pose[i] << "\n";
+  }
+  return text.str();
+}
+} // namespace
+
+TEST_CASE("A start pose needs all six of its numbers", "[files]")
+{
+  Fixture f;
+  const std::string good = f.folder.write("good.pos", "# a start\n" + poseText());
+  const fileVariants::CommaLocale comma;
+  f.tracker.initFromPose(f.I, good);
+  CHECK((renderedBox::pose().inverse() * f.tracker.getPose()).getTranslationVector().frobeniusNorm() < 1e-9);
+  for (const auto &[text, told] : {std::pair<std::string, std::string>{"0 0 0.5 0 0", "5 numbers"},
+                                   {"", "0 numbers"},
+                                   {"0 0 0.5 0 0 0 1", "follows"},
+                                   {"0 0 0,5 0 0 0", "'0,5'"},
+                                   {"0 0 nan 0 0 0", "'nan'"},
+                                   {"0 0 x", "'x'"}}) {
+    CAPTURE(text);
+    const std::string file = f.folder.write("bad.pos", text);
+    CHECK_THAT(messageOf([&] { f.tracker.initFromPose(f.I, file); }),
+               ContainsSubstring("bad.pos") && ContainsSubstring(told));
+    const vpImage<vpRGBa> colors(f.I.getHeight(), f.I.getWidth());
+    CHECK_THAT(messageOf([&] { f.tracker.initFromPose(colors, file); }), ContainsSubstring("bad.pos"));
+  }
+  CHECK_THAT(messageOf([&] { f.tracker.initFromPose(f.I, f.folder.path("none")); }), ContainsSubstring("none.pos"));
+}
+
+TEST_CASE("Points to start from need all of their numbers", "[files]")
+{
+  Fixture f;
+  const std::string object = "4 # points\n0 0 0\n0.1 0 0\n0 0.1 0\n0.1 0.1 0\n";
+  for (const auto &[text, told] : {std::pair<std::string, std::string>{object, "2D points"},
+                                   {object + "3\n1 1\n1 2\n2 1\n", "at least 4"},
+                                   {"4\n0 0 0\n0.1 0\n0 0.1 0\n0.1 0.1 0\n", "line 3"},
+                                   {object + "4\n100 100\n100\n200 100\n200 200\n", "line 8"},
+                                   {"90000000\n0 0 0\n", "90000000"},
+                                   {object + "5\n100 100\n100 200\n200 100\n200 200\n1 1\n", "as many"}}) {
+    CAPTURE(text);
+    const std::string file = f.folder.write("bad.init", text);
+    CHECK_THAT(messageOf([&] { f.tracker.initFromPoints(f.I, file); }),
+               ContainsSubstring("bad.init") && ContainsSubstring(told));
+  }
+  const std::string file = f.folder.write("click.init", "3\n0 0 0\n0 1 0\n1 0 0\n");
+  CHECK_THAT(messageOf([&] { f.tracker.initClick(f.I, file); }), ContainsSubstring("click.init"));
+  CHECK_THAT(messageOf([&] { f.tracker.initClick(f.I, f.folder.path("no-clicks")); }),
+             ContainsSubstring("no-clicks.init"));
+}
