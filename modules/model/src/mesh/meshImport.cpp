@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "meshImport.h"
 
+#include "files/assetFiles.h"
+#include "files/fileBytes.h"
+#include "files/meshFormats.h"
+#include "files/sceneCheck.h"
 #include "textureImage.h"
 
 #include <visp3/core/vpException.h>
-#include <visp3/core/vpIoTools.h>
 
 #include <Eigen/Geometry>
 
@@ -14,7 +17,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
 #include <map>
 
 BEGIN_VISP_NAMESPACE
@@ -35,19 +38,6 @@ Eigen::Vector3f toEigen(const aiColor4D &color)
   return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
 }
 
-//! From the file's coordinates to those of the builder.
-Eigen::Affine3d toBuilder(const vpHomogeneousMatrix &oMm, double unit, double builderUnit)
-{
-  Eigen::Affine3d result = Eigen::Affine3d::Identity();
-  for (unsigned int i = 0; i < 3; ++i) {
-    for (unsigned int j = 0; j < 3; ++j) {
-      result.matrix()(i, j) = oMm[i][j] * (unit / builderUnit);
-    }
-    result.matrix()(i, 3) = oMm[i][3] / builderUnit;
-  }
-  return result;
-}
-
 //! What all triangles of an assimp mesh have in common.
 struct Material
 {
@@ -59,10 +49,7 @@ struct Material
 class SceneReader
 {
 public:
-  SceneReader(const aiScene &scene, const std::string &folder, vpTrackedModelBuilder &builder)
-      : m_scene(scene), m_folder(folder), m_builder(builder)
-  {
-  }
+  SceneReader(const aiScene &scene, MeshSink &sink) : m_scene(scene), m_sink(sink) {}
 
   void addNode(const aiNode &node, const Eigen::Affine3d &objectFromParent)
   {
@@ -74,8 +61,6 @@ public:
       addNode(*node.mChildren[i], objectFromNode);
     }
   }
-
-  bool hasTriangles() const { return m_hasTriangles; }
 
 private:
   void addMesh(const aiMesh &mesh, const Eigen::Affine3d &objectFromMesh)
@@ -93,11 +78,7 @@ private:
         corners[k] = cornerOf(mesh, face.mIndices[mirrored ? 2 - k : k], material);
         corners[k].position = objectFromMesh * corners[k].position;
       }
-      if (material.image >= 0) {
-        moveToFirstRepeat(corners);
-      }
-      m_builder.addTriangle(corners, material.image);
-      m_hasTriangles = true;
+      m_sink.addTriangle(corners, material.image);
     }
   }
 
@@ -117,15 +98,6 @@ private:
       corner.texture << static_cast<float>(uv.x), 1.F - static_cast<float>(uv.y);
     }
     return corner;
-  }
-
-  //! Takes whole turns off texture coordinates of an image that repeats.
-  static void moveToFirstRepeat(std::array<vpTrackedModelBuilder::Corner, 3> &corners)
-  {
-    const Eigen::Vector2f lowest = corners[0].texture.cwiseMin(corners[1].texture).cwiseMin(corners[2].texture);
-    for (vpTrackedModelBuilder::Corner &corner : corners) {
-      corner.texture -= Eigen::Vector2f(std::floor(lowest.x()), std::floor(lowest.y()));
-    }
   }
 
   Material materialOf(const aiMesh &mesh)
@@ -149,14 +121,16 @@ private:
 
   int imageAt(const std::string &path)
   {
-    const auto known = m_images.find(path);
-    if (known != m_images.end()) {
+    const aiTexture *embedded = m_scene.GetEmbeddedTexture(path.c_str());
+    if (embedded == nullptr) {
+      return m_sink.imageAt(path);
+    }
+    const auto known = m_embedded.find(path);
+    if (known != m_embedded.end()) {
       return known->second;
     }
-    const aiTexture *embedded = m_scene.GetEmbeddedTexture(path.c_str());
-    const int index =
-        m_builder.addImage(embedded != nullptr ? decodeEmbedded(*embedded) : readTextureImage(findImage(path)));
-    m_images.emplace(path, index);
+    const int index = m_sink.addImage(path, decodeEmbedded(*embedded));
+    m_embedded.emplace(path, index);
     return index;
   }
 
@@ -173,73 +147,109 @@ private:
     return image;
   }
 
-  //! The path as it is written, relative to the model, or just its file name there: files move between computers.
-  std::string findImage(std::string path) const
-  {
-    for (char &c : path) {
-      c = c == '\\' ? '/' : c;
-    }
-    const std::string beside = m_folder + "/" + path;
-    if (vpIoTools::checkFilename(beside)) {
-      return beside;
-    }
-    const std::string name = m_folder + "/" + path.substr(path.find_last_of('/') + 1);
-    return vpIoTools::checkFilename(name) ? name : path;
-  }
-
   const aiScene &m_scene;
-  std::string m_folder;
-  vpTrackedModelBuilder &m_builder;
-  std::map<std::string, int> m_images;
-  bool m_hasTriangles = false;
+  MeshSink &m_sink;
+  std::map<std::string, int> m_embedded;
 };
-bool hasSurface(const aiScene &scene)
+
+//! Polygons of all instances of meshes below a node; the file was checked not to be nested too deep.
+std::size_t countPolygons(const aiScene &scene, const aiNode &node)
 {
-  for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
-    const aiMesh &mesh = *scene.mMeshes[m];
-    const auto isPolygon = [](const aiFace &face) { return face.mNumIndices >= 3; };
-    if (std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, isPolygon)) {
-      return true;
-    }
+  std::size_t count = 0;
+  for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh &mesh = *scene.mMeshes[node.mMeshes[i]];
+    count += static_cast<std::size_t>(std::count_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                                                    [](const aiFace &face) { return face.mNumIndices >= 3; }));
   }
-  return false;
+  for (unsigned int i = 0; i < node.mNumChildren; ++i) {
+    count += countPolygons(scene, *node.mChildren[i]);
+  }
+  return count;
 }
 
 [[noreturn]] void refuseUnreadable(const std::string &file, const std::string &reason)
 {
-  throw vpException(vpException::ioError, "%s",
-                    ("model '" + file + "' cannot be read, is it broken or of another format? " + reason).c_str());
+  throw vpException(vpException::ioError,
+                    "model '" + file + "' cannot be read, is it broken or of another format? " + reason);
 }
 
-[[noreturn]] void refuseWithoutTriangles(const std::string &file)
+bool isDae(const std::string &file)
 {
-  throw vpException(vpException::badValue, "%s",
-                    ("model '" + file + "' has no triangles: lines and clouds of points cannot be tracked").c_str());
+  return lowerCase(std::filesystem::path(file).extension().string()) == ".dae";
 }
-} // namespace
 
-void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix &oMm, vpTrackedModelBuilder &builder)
+//! assimp keeps coordinates as 32-bit floats. \throw vpException where too little of the shape is left.
+void checkDigits(const aiScene &scene, MeshSink &sink)
 {
+  for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh &mesh = *scene.mMeshes[m];
+    Eigen::AlignedBox3f box;
+    for (unsigned int v = 0; v < mesh.mNumVertices; ++v) {
+      box.extend(Eigen::Vector3f(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z));
+    }
+    const float farthest = box.isEmpty() ? 0.F : box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    const float share = farthest > 0.F ? box.diagonal().norm() / farthest : 1.F;
+    if (share < 1e-5F) {
+      refuseFile(sink.file(),
+                 "lies so far from its origin, for its size, that 32-bit floats lose its shape: move it to "
+                 "the origin");
+    }
+    if (share < 1e-3F) {
+      sink.builder().addWarning("it lies far from its origin, for its size: 32-bit floats lose some of its digits");
+    }
+  }
+}
+
+void importScene(MeshSink &sink)
+{
+  const std::string &file = sink.file();
+  const SceneCheck check = isDae(file) ? checkDae(file) : checkGltf(file);
   Assimp::Importer importer;
+  importer.SetIOHandler(new AssetFiles(file, check.content)); // The importer deletes it.
   // The frame of the object is the one that its file was written in, for this format as for the others.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  // What has no mesh would get one made up for its nodes.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene *scene = importer.ReadFile(file, 0);
-  if (scene == nullptr) {
+  if (scene == nullptr && check.polygons > 0) {
     refuseUnreadable(file, importer.GetErrorString());
   }
-  if (!hasSurface(*scene)) {
-    refuseWithoutTriangles(file);
+  const std::size_t read =
+      scene == nullptr || scene->mRootNode == nullptr ? 0 : countPolygons(*scene, *scene->mRootNode);
+  if (check.polygons == 0 && read == 0) {
+    sink.requireTriangles();
+  }
+  if (read != check.polygons) {
+    refuseUnreadable(file, "It has " + std::to_string(check.polygons) + " polygons, of which " + std::to_string(read) +
+                               " came out");
   }
   // Validation comes first and finds indices out of range, which not all importers look for.
   scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure | aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     refuseUnreadable(file, importer.GetErrorString());
   }
-  SceneReader reader(*scene, vpIoTools::getParent(file), builder);
-  reader.addNode(*scene->mRootNode, toBuilder(oMm, unit, builder.options().unit));
-  if (!reader.hasTriangles()) {
-    refuseWithoutTriangles(file);
+  checkDigits(*scene, sink);
+  SceneReader(*scene, sink).addNode(*scene->mRootNode, sink.placement());
+  for (const std::string &warning : check.warnings) {
+    sink.builder().addWarning(warning);
   }
+}
+} // namespace
+
+void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix &oMm, vpTrackedModelBuilder &builder)
+{
+  MeshSink sink(file, unit, oMm, builder);
+  const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
+  if (extension == ".obj") {
+    readObj(sink);
+  } else if (extension == ".ply") {
+    readPly(sink);
+  } else if (extension == ".stl") {
+    readStl(sink);
+  } else {
+    importScene(sink);
+  }
+  sink.requireTriangles();
 }
 } // namespace vpMeshDetail
 END_VISP_NAMESPACE

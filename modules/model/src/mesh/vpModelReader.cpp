@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/model/vpModelReader.h>
 
+#include "files/fileBytes.h"
 #include "meshImport.h"
-
-#include <visp3/core/vpException.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 BEGIN_VISP_NAMESPACE
+using vpMeshDetail::refuseFile;
+
 namespace {
 const std::array<const char *, 6> meshExtensions = {{".obj", ".ply", ".stl", ".dae", ".gltf", ".glb"}};
-
-[[noreturn]] void refuseFile(const std::string &file, const std::string &reason)
-{
-  throw vpException(vpException::ioError, "%s", ("model '" + file + "' " + reason).c_str());
-}
 
 bool hasExtension(const std::string &file, const std::string &extension)
 {
@@ -28,19 +23,6 @@ bool hasExtension(const std::string &file, const std::string &extension)
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower == extension;
-}
-
-// assimp 5.2 looks for the line that ends the header for ever where a file was cut off before it.
-void checkPlyHeader(const std::string &file)
-{
-  constexpr std::size_t longestHeader = 1U << 20U;
-  std::string start(longestHeader, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(&start[0], static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  if (start.find("end_header\n") == std::string::npos && start.find("end_header\r") == std::string::npos) {
-    refuseFile(file, "has no complete header, is it broken or of another format?");
-  }
 }
 
 void checkFile(const std::string &file)
@@ -57,9 +39,6 @@ void checkFile(const std::string &file)
   }
   if (!vpModelReader::isMesh(file)) {
     refuseFile(file, "is not a mesh that can be read: .obj, .ply, .stl, .dae, .gltf and .glb are");
-  }
-  if (hasExtension(file, ".ply")) {
-    checkPlyHeader(file);
   }
 }
 } // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef meshFormats_h
+#define meshFormats_h
+
+#include "files/meshSink.h"
+
+/*!
+  \file meshFormats.h
+  Readers of the three formats that are simple enough to be read to the letter. assimp 5 reads them too, but repeats or
+  drops what it does not understand without a word, so that a file would have to be read here anyway to find out.
+*/
+
+BEGIN_VISP_NAMESPACE
+namespace vpMeshDetail {
+//! \throw vpException naming file and line of what is wrong.
+void readObj(MeshSink &sink);
+//! \throw vpException naming the file, and line or element of what is wrong.
+void readPly(MeshSink &sink);
+//! Text or binary. \throw vpException naming the file, and the line of what is wrong.
+void readStl(MeshSink &sink);
+} // namespace vpMeshDetail
+END_VISP_NAMESPACE
+#endif
