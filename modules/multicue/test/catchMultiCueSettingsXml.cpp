@@ -223,7 +223,7 @@ TEST_CASE("A file of ViSP's camera parser gives the camera")
   CHECK(settingsFiles::read("camera.xml", start + model + end, unusual()) == expected);
 
   CHECK_THAT(settingsFiles::refusal("camera.xml", start + model + model + end),
-             ContainsSubstring("camera.xml', line 1: a <camera> with a <model> must be the only"));
+             ContainsSubstring("camera.xml', line 1: there are two <model>") && ContainsSubstring("delete one"));
   CHECK_THAT(settingsFiles::refusal("camera.xml", start + "<model><type>pinhole</type></model>" + end),
              ContainsSubstring("'pinhole', it must be perspectiveProj"));
   CHECK_THAT(

@@ -3,6 +3,7 @@
 
 #include "config/settingsTable.h"
 #include "config/settingsText.h"
+#include "config/settingsVispJson.h"
 
 #include <visp3/core/vpException.h>
 
@@ -23,11 +24,20 @@ const std::string presetKey = "preset";
   throw vpException(vpException::badValue, "Configuration file '" + file + "': " + reason);
 }
 
+constexpr int deepest = 20;
+
 Json parse(const std::string &file)
 {
   const bool throwing = true, withComments = true;
+  // What is nested deeper than any setting would be written into messages by functions that call themselves.
+  const auto shallow = [&](int depth, Json::parse_event_t, Json &) {
+    if (depth > deepest) {
+      refuse(file, "it is nested more than " + std::to_string(deepest) + " deep");
+    }
+    return true;
+  };
   try {
-    return Json::parse(readTextFile(file), nullptr, throwing, withComments);
+    return Json::parse(readTextFile(file), shallow, throwing, withComments);
   } catch (const Json::exception &error) {
     const std::string message = error.what();
     const std::size_t end = message.find("] "); // Of the library's name for the error.
@@ -215,12 +225,28 @@ void readObject(const std::string &file, const std::string &object, const Json &
 }
 } // namespace
 
-void readJson(const std::string &file, Draft &draft)
+namespace {
+// In the words of this tracker, whichever one of ViSP it was written for.
+Json parseKnown(const std::string &file, Draft &draft)
 {
-  const Json json = parse(file);
+  Json json = parse(file);
   if (!json.is_object()) {
     refuse(file, "it must be an object {...} with any of " + listText(objectNames()));
   }
+  try {
+    VispJson other = readVispJson(json);
+    draft.tracker = other.tracker;
+    draft.left = other.left;
+    return other.tracker.empty() ? json : other.known;
+  } catch (const vpException &error) {
+    refuse(file, error.getMessage());
+  }
+}
+} // namespace
+
+void readJson(const std::string &file, Draft &draft)
+{
+  const Json json = parseKnown(file, draft);
   if (json.contains("camera")) { // A camera's distortion belongs to its other values and does not outlive them.
     draft.camera.kud.reset();
     draft.camera.kdu.reset();

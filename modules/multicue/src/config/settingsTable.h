@@ -44,6 +44,8 @@ struct Draft
   CueSum cues;
   std::optional<vpMultiCuePreset> preset; //!< That a file said.
   std::set<std::string> said;             //!< Names of the entries that a file said.
+  std::string tracker;                    //!< The one of ViSP that a JSON file is written for, if it is not this one.
+  std::vector<std::string> left;          //!< What a file of ViSP says and there is nothing like here.
 };
 
 //! The values that a setting can have.

@@ -26,6 +26,9 @@ void takeParsed(const XmlDocument &document, Draft &draft)
     if (node.take && document.find(node.path)) {
       node.take(values, draft);
     }
+    if (node.isLeft && document.find(node.path)) {
+      draft.left.push_back(std::string("<") + node.path + ">");
+    }
   }
 }
 
@@ -50,21 +53,53 @@ void takeThreshold(const XmlDocument &document, Draft &draft)
   }
 }
 
+void requireOneCamera(const XmlDocument &document, const pugi::xml_node &camera)
+{
+  std::vector<std::string> names;
+  for (const pugi::xml_node &one : camera.parent().children()) {
+    if (std::string(one.name()) != "camera") {
+      document.refuse(one, "a <camera> with a <model> must be the only node in its file: delete <" +
+                               std::string(one.name()) + ">, or write px, py, u0 and v0 into the <camera> itself");
+    }
+    names.push_back(std::string("'") + one.child_value("name") + "' " + one.child_value("image_width") + " x " +
+                    one.child_value("image_height"));
+  }
+  if (names.size() > 1) {
+    document.refuse(camera, "there are " + std::to_string(names.size()) + " cameras (" + listText(names) +
+                                "): delete all but the one that took the images");
+  }
+}
+
+// Of what a calibration writes, the camera with distortion: the tracker takes it out.
+pugi::xml_node chooseModel(const XmlDocument &document, const pugi::xml_node &camera, Draft &draft)
+{
+  pugi::xml_node chosen;
+  for (const pugi::xml_node &model : camera.children("model")) {
+    const std::string type = model.child_value("type");
+    const bool distorted = type == "perspectiveProjWithDistortion";
+    if (!distorted && type != "perspectiveProjWithoutDistortion") {
+      document.refuse(model, "<type> in <model> is '" + type +
+                                 "', it must be perspectiveProjWithoutDistortion or perspectiveProjWithDistortion");
+    }
+    if (chosen && chosen.child_value("type") == type) {
+      document.refuse(model, "there are two <model> of type " + type + " in the <camera>: delete one of them");
+    }
+    if (chosen) {
+      draft.left.emplace_back("the camera's model perspectiveProjWithoutDistortion");
+    }
+    chosen = !chosen || distorted ? model : chosen;
+  }
+  return chosen;
+}
+
 // A file of vpXmlParserCamera, which prints, and in some versions makes up what is missing.
 void takeCameraModel(const XmlDocument &document, Draft &draft)
 {
-  const pugi::xml_node model = document.find("camera/model");
-  const pugi::xml_node camera = model.parent();
-  if (camera.next_sibling() || camera.previous_sibling() || model.next_sibling("model")) {
-    document.refuse(camera, "a <camera> with a <model> must be the only node in its file, and the <model> the only one "
-                            "in its <camera>");
-  }
+  const pugi::xml_node camera = document.find("camera/model").parent();
+  requireOneCamera(document, camera);
+  const pugi::xml_node model = chooseModel(document, camera, draft);
   const std::string type = model.child_value("type");
   const bool distorted = type == "perspectiveProjWithDistortion";
-  if (!distorted && type != "perspectiveProjWithoutDistortion") {
-    document.refuse(model, "<type> in <model> is '" + type +
-                               "', it must be perspectiveProjWithoutDistortion or perspectiveProjWithDistortion");
-  }
   const auto value = [&](const char *name) {
     if (!model.child(name)) {
       document.refuse(model, std::string("<") + name + "> is missing in <model>");

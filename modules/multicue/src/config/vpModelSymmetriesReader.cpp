@@ -26,7 +26,13 @@ Json parse(const std::string &file)
 {
   const std::string place = "Symmetries' file '" + file + "'";
   try {
-    return Json::parse(vpSettingsDetail::readTextFile(file));
+    // What is nested deeper would be written into messages by functions that call themselves.
+    return Json::parse(vpSettingsDetail::readTextFile(file), [&](int depth, Json::parse_event_t, Json &) {
+      if (depth > 20) {
+        throw vpException(vpException::badValue, "'" + file + "' is nested more than 20 deep");
+      }
+      return true;
+    });
   } catch (const Json::exception &error) {
     refuse(place, std::string("this is no JSON: ") + error.what());
   }

@@ -4,6 +4,7 @@
 #include "config/settingsFile.h"
 #include "config/settingsJson.h"
 #include "config/settingsTable.h"
+#include "config/settingsText.h"
 #include "config/settingsXml.h"
 
 #include <visp3/core/vpException.h>
@@ -56,22 +57,30 @@ FileSettings vpSettingsDetail::readSettings(const std::string &file, const vpMul
     readXml(file, draft);
   }
   resolveSymmetries(file, defaults, draft.members);
-  return {checkedSettings(file, draft), draft.preset, draft.said};
+  return {checkedSettings(file, draft), draft.preset, draft.said, draft.tracker, draft.left};
 }
 
-void vpSettingsDetail::printSettings(const std::string &file, const vpMultiCueSettings &settings)
+void vpSettingsDetail::printSettings(const std::string &file, const FileSettings &settings)
 {
-  std::cout << "Settings with '" << file << "': " << jsonText(settings) << std::flush;
+  std::cout << "Settings with '" << file << "': " << jsonText(settings.settings);
+  if (!settings.tracker.empty()) {
+    std::cout << "'" << file << "' is a configuration of " << settings.tracker
+              << ", the above is what it has in common\n";
+  }
+  if (!settings.left.empty()) {
+    std::cout << "Left out of '" << file << "', as there is nothing like it here: " << listText(settings.left) << "\n";
+  }
+  std::cout << std::flush;
 }
 
 vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
                                                   bool verbose)
 {
-  const vpMultiCueSettings settings = readSettings(file, defaults).settings;
+  const FileSettings settings = readSettings(file, defaults);
   if (verbose) {
     printSettings(file, settings);
   }
-  return settings;
+  return settings.settings;
 }
 
 void vpMultiCueSettingsReader::write(const std::string &file, const vpMultiCueSettings &settings)

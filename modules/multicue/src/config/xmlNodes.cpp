@@ -101,7 +101,10 @@ Nodes edgeNodes()
           {"ecm/range", XmlNode::GROUP, any, nullptr},
           {"ecm/range/tracking", XmlNode::WHOLE, rangeOf("edge.range"),
            [](const Values &values, Draft &draft) { draft.members.edge.range = values.me.getRange(); }},
+          {"ecm/range/init_range", XmlNode::WHOLE, any, nullptr, true},
           {"ecm/contrast", XmlNode::GROUP, any, nullptr},
+          {"ecm/contrast/edge_threshold_margin_ratio", XmlNode::NUMBER, any, nullptr, true},
+          {"ecm/contrast/edge_min_threshold", XmlNode::NUMBER, any, nullptr, true},
           {"ecm/contrast/edge_threshold_type", XmlNode::WHOLE, from(0., 1.), nullptr},
           {"ecm/contrast/edge_threshold", XmlNode::NUMBER, any, nullptr},
           {"ecm/contrast/mu1", XmlNode::NUMBER, rangeOf("edge.mu1"),
@@ -148,7 +151,7 @@ Nodes kltNodes()
 // Of parts of ViSP that there is nothing like here.
 Nodes passedOver()
 {
-  return {{"depth_normal", XmlNode::GROUP, any, nullptr},
+  return {{"depth_normal", XmlNode::GROUP, any, nullptr, true},
           {"depth_normal/feature_estimation_method", XmlNode::WHOLE, any, nullptr},
           {"depth_normal/PCL_plane_estimation", XmlNode::GROUP, any, nullptr},
           {"depth_normal/PCL_plane_estimation/method", XmlNode::WHOLE, any, nullptr},
@@ -157,11 +160,11 @@ Nodes passedOver()
           {"depth_normal/sampling_step", XmlNode::GROUP, any, nullptr},
           {"depth_normal/sampling_step/step_X", XmlNode::WHOLE, any, nullptr},
           {"depth_normal/sampling_step/step_Y", XmlNode::WHOLE, any, nullptr},
-          {"depth_dense", XmlNode::GROUP, any, nullptr},
+          {"depth_dense", XmlNode::GROUP, any, nullptr, true},
           {"depth_dense/sampling_step", XmlNode::GROUP, any, nullptr},
           {"depth_dense/sampling_step/step_X", XmlNode::WHOLE, any, nullptr},
           {"depth_dense/sampling_step/step_Y", XmlNode::WHOLE, any, nullptr},
-          {"projection_error", XmlNode::GROUP, any, nullptr},
+          {"projection_error", XmlNode::GROUP, any, nullptr, true},
           {"projection_error/sample_step", XmlNode::NUMBER, any, nullptr},
           {"projection_error/kernel_size", XmlNode::ANYTHING, any, nullptr}};
 }

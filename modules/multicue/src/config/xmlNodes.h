@@ -35,8 +35,9 @@ struct XmlNode
   const char *path; //!< From below the root, for instance "ecm/mask/size".
   Kind kind;
   Range range; //!< Of a number.
-  void (*take)(const XmlValues &,
-               Draft &draft); //!< Carries over what the parser read; null: nothing to be carried over.
+  //! Carries over what the parser read; null: nothing to be carried over.
+  void (*take)(const XmlValues &, Draft &draft);
+  bool isLeft = false; //!< There is nothing like it here, which users are told.
 };
 
 //! The nodes that the parsers of ViSP 3.5 to 3.7 know, and deprecated ones that files still have.

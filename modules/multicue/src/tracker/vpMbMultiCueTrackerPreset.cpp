@@ -54,7 +54,7 @@ void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool ver
     choice.takeCues(file.settings.predicts, file.settings.searches, file.settings.searchBudget);
   }
   if (verbose) {
-    vpSettingsDetail::printSettings(configFile, file.settings);
+    vpSettingsDetail::printSettings(configFile, file);
   }
   applySettings(file.settings);
   if (file.preset) {

@@ -9,8 +9,11 @@ BEGIN_VISP_NAMESPACE
 
 /*!
   \ingroup group_model_geometry
-  Reads meshes (.obj, .ply, .stl, .dae, .gltf, .glb) through assimp. ViSP's own .cao and .wrl files are read by the
-  tracker.
+  Reads meshes: .obj, .ply and .stl to the letter, scenes (.dae, .gltf, .glb) through assimp. ViSP's own .cao and .wrl
+  files are read by the tracker.
+
+  A file from anywhere is read rightly, or refused with its name and what is wrong. What is missing beside it, or left
+  out of it (material files, skeletons, morph targets), is in vpModelReport::warnings.
 
   Coordinates are those of the file, with the transformations of its nodes; axes are never turned, so the up axis that a
   .dae file names has no effect. A .dae file's own unit does count: it is in metres once it was read, and

@@ -59,9 +59,9 @@ struct VISP_EXPORT vpMultiCueSettings
   **XML**: the file of vpMbGenericTracker, read by ViSP's vpMbtXmlGenericParser (camera, ecm, sample, klt, face, lod).
   The nodes of its depth trackers and projection_error are known and passed over. The moving-edge threshold is in ViSP's
   old scale, or in gray levels where the node edge_threshold_type of ViSP 3.6 is 1. A camera in the file has no
-  distortion. ViSP's files of cameras (vpXmlParserCamera) are read too where they hold one camera with one model. Other
-  than ViSP's parser, this one refuses nodes that it does not know, text that is no number, and decimals that ViSP would
-  cut off.
+  distortion. The files of cameras (vpXmlParserCamera) are read too where they hold one camera; of its models, the one
+  with distortion is taken. Other than ViSP's parser, this one refuses nodes that it does not know, text that is no
+  number, and decimals that ViSP would cut off.
 
   **JSON**: *preset*, one of "robust", "fast", "static", "teuliere2010" and "petit2014"
   (vpMultiCueSettings::setPreset()), which all other keys override wherever they stand; the list *cues* of one or more
@@ -84,7 +84,9 @@ struct VISP_EXPORT vpMultiCueSettings
   - symmetries: from ("none", "find", or the path of a models_info.json, from the folder of the settings' file), object;
   - lod: use, minLineLength, minPolygonArea,
 
-  all of them optional, with the units and ranges of the members of the same name. Comments are allowed.
+  all of them optional, with the units and ranges of the members of the same name. Comments are allowed. Of the JSON
+  files of vpMbGenericTracker (ViSP 3.6) and vpRBTracker (3.7) the camera, the moving edges, the points, the cues and
+  what faces are seen is read; what there is nothing like here is printed.
 */
 class VISP_EXPORT vpMultiCueSettingsReader
 {
@@ -92,7 +94,7 @@ public:
   /*!
     \param file Path; .json is read as JSON, everything else as XML.
     \param defaults What the file does not say.
-    \param verbose Print the settings that result, as JSON.
+    \param verbose Print the settings that result, as JSON, and what of the file was left out.
     \return \e defaults with what the file says; they are checked.
     \throw vpException naming the file, and the line, node or key, where it is missing, no XML or JSON, has an unknown
     node or key, or a value out of range. What is known there, or in range, is named too.
