@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <sstream>
 #include <vector>
 
@@ -26,6 +27,7 @@ std::vector<double> readNumbers(const std::string &file)
     std::istringstream words(line.substr(0, line.find('#')));
     for (std::string word; words >> word;) {
       std::istringstream number(word);
+      number.imbue(std::locale::classic());
       numbers.push_back(0.);
       if (!(number >> numbers.back()) || !number.eof()) {
         fail(file, "\"" + word + "\" is no number");
@@ -69,7 +71,8 @@ vpHomogeneousMatrix readPose(const std::string &file)
 PointPairs readPoints(const std::string &file)
 {
   const std::vector<double> numbers = readNumbers(file);
-  const std::size_t count = numbers.empty() || !(numbers[0] >= 4.) ? 0 : static_cast<std::size_t>(numbers[0]);
+  const std::size_t count =
+      numbers.empty() || !(numbers[0] >= 4. && numbers[0] < 1e6) ? 0 : static_cast<std::size_t>(numbers[0]);
   if (count == 0 || numbers.size() != 2 + 5 * count || numbers[1 + 3 * count] != numbers[0]) {
     fail(file, "needs the number of points, at least 4, X Y Z of each, the number again, and row and column of each");
   }

@@ -114,6 +114,8 @@ void OverlayWriter::write(const vpImage<vpRGBa> &I, vpMbMultiCueTracker &tracker
     }
     return;
   }
+  // Encoders leave out the last row or column of an odd number of them.
+  cv::copyMakeBorder(image, image, 0, image.rows % 2, 0, image.cols % 2, cv::BORDER_REPLICATE);
   if (!m_video.isOpened()) {
     openVideo(image.size());
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dataset/bopWriter.h"
 
+#include "dataset/checkedGeometry.h"
+
 #include <visp3/core/vpException.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -181,36 +183,6 @@ void writeInfo(const std::string &file, const BopModel &model)
   writeText(file, all.dump(2) + "\n");
 }
 } // namespace
-
-double largestDistance(std::vector<Eigen::Vector3d> points)
-{
-  if (points.empty()) {
-    return 0.;
-  }
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d &p : points) {
-    centre += p / static_cast<double>(points.size());
-  }
-  const auto less = [](const Eigen::Vector3d &a, const Eigen::Vector3d &b) {
-    return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
-  };
-  std::sort(points.begin(), points.end(), less);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  // The farthest ones first: two points cannot be farther apart than the sum of their distances from the centre.
-  std::stable_sort(points.begin(), points.end(), [&](const Eigen::Vector3d &a, const Eigen::Vector3d &b) {
-    return (a - centre).norm() > (b - centre).norm();
-  });
-  double largest = 0.;
-  for (std::size_t i = 0; i < points.size() && 2. * (points[i] - centre).norm() > largest; ++i) {
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      if ((points[i] - centre).norm() + (points[j] - centre).norm() <= largest) {
-        break;
-      }
-      largest = std::max(largest, (points[i] - points[j]).norm());
-    }
-  }
-  return largest;
-}
 
 std::string bopModelPath(const std::string &dataset, int id)
 {

@@ -5,6 +5,8 @@
 #include "dataset/datasetFiles.h"
 #include "dataset/jsonFile.h"
 
+#include <visp3/model/vpModelReader.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -117,6 +119,46 @@ void readInfo(const JsonValue &info, SequenceObject &object)
 }
 } // namespace
 
+namespace {
+// Longest side of its box, over the diameter that a file tells: between these for every shape.
+const double leastRatio = 0.5;
+const double mostRatio = 1.1;
+
+// Longest side of a mesh's box in its own unit, which may be any.
+double longestSide(const std::string &mesh)
+{
+  vpModelOptions options;
+  options.minSize = 1e-9;
+  options.maxSize = 1e9;
+  return vpModelReader::read(mesh, options).report().size.maxCoeff();
+}
+
+// An .obj is in metres or, beside a models_info.json that tells so, in millimetres; the .ply is taken where it is
+// neither.
+void chooseUnit(SequenceObject &object, const fs::path &infoFile)
+{
+  if (fs::path(object.mesh).extension() != ".obj" || !(object.diameter > 0.)) {
+    return;
+  }
+  const double side = longestSide(object.mesh);
+  for (const double unit : {1., millimetre}) {
+    const double ratio = unit * side / object.diameter;
+    if (ratio > leastRatio && ratio < mostRatio) {
+      object.meshUnit = unit;
+      return;
+    }
+  }
+  const std::string ply = existing(fs::path(object.mesh).replace_extension(".ply"));
+  if (ply.empty()) {
+    fail("The model " + inQuotes(object.mesh) + " is " + std::to_string(side) + " long, and " + inQuotes(infoFile) +
+         " says that the object has a diameter of " + std::to_string(object.diameter / millimetre) +
+         " mm: the model has to be in metres or millimetres, or the file to tell its diameter in millimetres");
+  }
+  object.mesh = ply;
+  object.meshUnit = millimetre;
+}
+} // namespace
+
 SequenceObject findBopObject(const fs::path &dataset, const fs::path &scene, int id)
 {
   SequenceObject object;
@@ -130,6 +172,7 @@ SequenceObject findBopObject(const fs::path &dataset, const fs::path &scene, int
       readInfo(info->second, object);
     }
   }
+  chooseUnit(object, infoFile);
   if (!(object.diameter > 0.)) {
     object.diameter = measuredDiameter(object);
   }

@@ -6,6 +6,8 @@
 #include "dataset/datasetFiles.h"
 #include "dataset/jsonFile.h"
 
+#include <visp3/core/vpException.h>
+
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -15,6 +17,10 @@ namespace fs = std::filesystem;
 namespace bench {
 namespace {
 const double millimetre = 0.001;
+// A scene with more that is wrong is taken for broken.
+const std::size_t leastFramesPerNote = 10;
+
+const std::string cameraPrefix = "scene_camera_";
 
 // A scene whose poses are lost is still one: it is told apart from a scene that is not there.
 bool isScene(const fs::path &folder)
@@ -22,6 +28,20 @@ bool isScene(const fs::path &folder)
   std::error_code ignored;
   return fs::is_regular_file(folder / "scene_gt.json", ignored) ||
          fs::is_regular_file(folder / "scene_camera.json", ignored);
+}
+
+// Adds the scenes in a folder: one, or one for each sensor.
+void addScenes(const fs::path &folder, const std::string &name, std::vector<std::string> &names)
+{
+  if (isScene(folder)) {
+    names.push_back(name);
+  }
+  for (const fs::path &file : entriesOf(folder)) {
+    const std::string stem = file.stem().string();
+    if (file.extension() == ".json" && stem.compare(0, cameraPrefix.size(), cameraPrefix) == 0) {
+      names.push_back(name + "@" + stem.substr(cameraPrefix.size()));
+    }
+  }
 }
 
 std::vector<fs::path> foldersIn(const fs::path &folder)
@@ -36,39 +56,43 @@ std::vector<fs::path> foldersIn(const fs::path &folder)
   return folders;
 }
 
-fs::path imageFolder(const fs::path &scene)
+// \param suffix Of the sensor's files, such as "_photoneo"; empty where a scene has one sensor.
+fs::path imageFolder(const fs::path &scene, const std::string &suffix)
 {
   std::error_code ignored;
-  for (const char *name : {"rgb", "gray"}) {
-    if (fs::is_directory(scene / name, ignored)) {
-      return scene / name;
+  for (const std::string name : {"rgb", "gray"}) {
+    if (fs::is_directory(scene / (name + suffix), ignored)) {
+      return scene / (name + suffix);
     }
   }
-  fail("The scene " + inQuotes(scene) + " has no images: neither rgb/ nor gray/ is there");
+  fail("The scene " + inQuotes(scene) + " has no images: neither rgb" + suffix + "/ nor gray" + suffix + "/ is there");
 }
 
 // BOP's files of one scene, keyed by the number of the image.
 class SceneFiles
 {
 public:
-  explicit SceneFiles(const fs::path &scene)
-      : m_cameraFile(scene / "scene_camera.json"), m_truthFile(scene / "scene_gt.json"),
+  SceneFiles(const fs::path &scene, const std::string &suffix)
+      : m_cameraFile(scene / ("scene_camera" + suffix + ".json")), m_truthFile(scene / ("scene_gt" + suffix + ".json")),
         m_cameras(m_cameraFile.root().numberedMembers()), m_truth(m_truthFile.root().numberedMembers()),
-        m_folder(imageFolder(scene)), m_images(numberedImages(m_folder))
+        m_folder(imageFolder(scene, suffix)), m_images(numberedImages(m_folder))
   {
+    const fs::path info = scene / ("scene_gt_info" + suffix + ".json");
     std::error_code ignored;
-    if (fs::is_regular_file(scene / "scene_gt_info.json", ignored)) {
-      m_infoFile = std::make_unique<JsonFile>(scene / "scene_gt_info.json");
+    if (fs::is_regular_file(info, ignored)) {
+      m_infoFile = std::make_unique<JsonFile>(info);
       m_info = m_infoFile->root().numberedMembers();
     }
   }
 
   int chooseObject(int object) const;
-  SequenceFrame frame(int image, int object) const;
-  // Every image that any of the files knows of.
-  std::set<int> ids() const;
+  //! All that can be read; \e notes tell what cannot. \throw vpException where that is too much.
+  std::vector<SequenceFrame> frames(int object, std::vector<std::string> &notes) const;
 
 private:
+  SequenceFrame frame(int image, int object, std::vector<std::string> &notes) const;
+  // Every image that any of the files knows of.
+  std::set<int> ids() const;
   void readTruth(const JsonValue &instances, int object, SequenceFrame &frame) const;
   double visibility(int image, std::size_t instance) const;
 
@@ -87,7 +111,12 @@ int SceneFiles::chooseObject(int object) const
   std::set<int> objects;
   for (const auto &image : m_truth) {
     for (const JsonValue &instance : image.second.items()) {
-      const int id = instance.at("obj_id").integer();
+      int id = 0;
+      try {
+        id = instance.at("obj_id").integer();
+      } catch (const vpException &) {
+        continue; // frames() tells of it.
+      }
       if (object == 0 || object == id) {
         return id;
       }
@@ -141,10 +170,10 @@ double SceneFiles::visibility(int image, std::size_t instance) const
   if (visible == -1.) {
     return 1.; // BOP's word for not computed.
   }
-  if (visible < 0. || visible > 1.) {
+  if (visible < 0. || visible > 1.001) { // A bit more is what rounding leaves.
     share.refuse("a share in [0, 1] is needed");
   }
-  return visible;
+  return std::min(visible, 1.);
 }
 
 void SceneFiles::readTruth(const JsonValue &instances, int object, SequenceFrame &frame) const
@@ -157,14 +186,14 @@ void SceneFiles::readTruth(const JsonValue &instances, int object, SequenceFrame
     const std::vector<double> t = items[i].at("cam_t_m2c").numbers(3);
     frame.cMo = checkedTransform(items[i].at("cam_R_m2c").numbers(9), millimetre * Eigen::Vector3d(t[0], t[1], t[2]),
                                  items[i].place());
-    requireInFront(frame.cMo, items[i].place());
-    frame.visibility = visibility(frame.id, i);
-    frame.hasTruth = true;
+    // Head-mounted cameras have objects behind them: such a pose is right, but no image shows it.
+    frame.hasTruth = frame.cMo[2][3] > 0.;
+    frame.visibility = frame.hasTruth ? visibility(frame.id, i) : 0.;
     return;
   }
 }
 
-SequenceFrame SceneFiles::frame(int image, int object) const
+SequenceFrame SceneFiles::frame(int image, int object, std::vector<std::string> &notes) const
 {
   SequenceFrame frame;
   frame.id = image;
@@ -182,9 +211,32 @@ SequenceFrame SceneFiles::frame(int image, int object) const
   frame.cam = readCamera(camera->second);
   const auto truth = m_truth.find(image);
   if (truth != m_truth.end()) {
-    readTruth(truth->second, object, frame);
+    try {
+      readTruth(truth->second, object, frame);
+    } catch (const vpException &e) {
+      frame.hasTruth = false;
+      notes.push_back(std::string("without truth: ") + e.getMessage());
+    }
   }
   return frame;
+}
+
+std::vector<SequenceFrame> SceneFiles::frames(int object, std::vector<std::string> &notes) const
+{
+  std::vector<SequenceFrame> frames;
+  const std::set<int> images = ids();
+  for (const int image : images) {
+    try {
+      frames.push_back(frame(image, object, notes));
+    } catch (const vpException &e) {
+      notes.push_back(std::string("frame left out: ") + e.getMessage());
+    }
+  }
+  if (notes.size() * leastFramesPerNote > images.size()) {
+    fail(std::to_string(notes.size()) + " of " + std::to_string(images.size()) +
+         " frames cannot be read; the first one, " + notes.front());
+  }
+  return frames;
 }
 } // namespace
 
@@ -192,18 +244,15 @@ std::vector<std::string> bopReader::scenes(const std::string &dataset)
 {
   const fs::path root(dataset);
   std::vector<std::string> names;
-  if (isScene(root)) {
-    names.emplace_back(".");
-  }
+  addScenes(root, ".", names);
   for (const fs::path &folder : foldersIn(root)) {
-    if (isScene(folder)) {
-      names.push_back(folder.filename().string());
+    const std::size_t before = names.size();
+    addScenes(folder, folder.filename().string(), names);
+    if (names.size() > before) {
       continue;
     }
     for (const fs::path &inner : foldersIn(folder)) {
-      if (isScene(inner)) {
-        names.push_back((folder.filename() / inner.filename()).generic_string());
-      }
+      addScenes(inner, (folder.filename() / inner.filename()).generic_string(), names);
     }
   }
   std::sort(names.begin(), names.end());
@@ -212,14 +261,15 @@ std::vector<std::string> bopReader::scenes(const std::string &dataset)
 
 Sequence bopReader::open(const std::string &dataset, const std::string &scene, int object)
 {
-  const fs::path folder = scene == "." ? fs::path(dataset) : fs::path(dataset) / scene;
-  const SceneFiles files(folder);
+  const std::size_t at = scene.rfind('@');
+  const std::string name = scene.substr(0, at);
+  const std::string suffix = at == std::string::npos ? "" : "_" + scene.substr(at + 1);
+  const fs::path folder = name == "." ? fs::path(dataset) : fs::path(dataset) / name;
+  const SceneFiles files(folder, suffix);
   Sequence sequence;
   sequence.scene = scene;
   sequence.object = findBopObject(dataset, folder, files.chooseObject(object));
-  for (const int image : files.ids()) {
-    sequence.frames.push_back(files.frame(image, sequence.object.id));
-  }
+  sequence.frames = files.frames(sequence.object.id, sequence.notes);
   startAtFirstTruth(sequence.frames, "The scene " + inQuotes(folder));
   return sequence;
 }

@@ -60,9 +60,6 @@ std::string bopModelPath(const std::string &dataset, int id);
 */
 void writeBopModel(const std::string &dataset, const BopModel &model);
 
-//! Largest distance of two points.
-double largestDistance(std::vector<Eigen::Vector3d> points);
-
 /*!
   Writes the images and the truth of one scene of one object: rgb, scene_camera.json, scene_gt.json and
   scene_gt_info.json.

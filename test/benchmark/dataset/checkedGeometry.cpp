@@ -77,30 +77,6 @@ vpCameraParameters checkedCamera(double px, double py, double u0, double v0, con
   return vpCameraParameters(px, py, u0, v0);
 }
 
-double largestDistance(const std::vector<Eigen::Vector3d> &points)
-{
-  if (points.empty()) {
-    return 0.;
-  }
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d &point : points) {
-    centre += point / static_cast<double>(points.size());
-  }
-  // With the farthest from the centre first, no pair beyond a certain one can be the longest.
-  std::vector<std::pair<double, Eigen::Vector3d>> sorted;
-  for (const Eigen::Vector3d &point : points) {
-    sorted.emplace_back((point - centre).norm(), point);
-  }
-  std::sort(sorted.begin(), sorted.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
-  double largest = 0.;
-  for (std::size_t i = 0; i < sorted.size() && 2. * sorted[i].first > largest; ++i) {
-    for (std::size_t j = i + 1; j < sorted.size() && sorted[i].first + sorted[j].first > largest; ++j) {
-      largest = std::max(largest, (sorted[i].second - sorted[j].second).norm());
-    }
-  }
-  return largest;
-}
-
 double measuredDiameter(const SequenceObject &object)
 {
   if (!object.mesh.empty()) {

@@ -60,12 +60,26 @@ SequenceFrame readFrame(const Recording &recording, int number, const vpCameraPa
   return frame;
 }
 
+// A recording ends with its last image; a gap in its numbers is no end, and other programs go on after it.
+void requireNoLater(const Recording &recording, int missing)
+{
+  const int farthest = 1000; // Numbers that are looked at.
+  for (int number = missing; number < missing + farthest; ++number) {
+    const std::string image = numberedPath(recording.images, number);
+    if (exists(image)) {
+      fail("The image " + inQuotes(numberedPath(recording.images, missing)) + " is missing, but " + inQuotes(image) +
+           " is there: number the images without gaps, or say which is the last one and the step between them");
+    }
+  }
+}
+
 std::vector<SequenceFrame> readFrames(const Recording &recording, const vpCameraParameters &cam)
 {
   std::vector<SequenceFrame> frames;
   for (int number = recording.first; recording.last < 0 || number <= recording.last; number += recording.step) {
     const std::string image = numberedPath(recording.images, number);
     if (!exists(image) && recording.last < 0 && number > recording.first) {
+      requireNoLater(recording, number);
       break;
     }
     requireFile(image, "the recording needs it");

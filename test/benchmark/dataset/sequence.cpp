@@ -13,8 +13,9 @@ namespace {
 // True where a user may mean a scene by this name: its last folder, or that one's number.
 bool isShortNameOf(const std::string &name, const std::string &scene)
 {
-  const std::string last = scene.substr(scene.rfind('/') + 1);
-  return name == last || (numberOf(name) >= 0 && numberOf(name) == numberOf(last));
+  const std::string folder = scene.substr(scene.rfind('/') + 1);
+  const std::string last = folder.substr(0, folder.find('@')); // A sensor's name may follow.
+  return name == folder || name == last || (numberOf(name) >= 0 && numberOf(name) == numberOf(last));
 }
 
 std::string findScene(const std::string &dataset, const std::string &name)

@@ -52,6 +52,7 @@ struct Sequence
   std::string scene;
   SequenceObject object;
   std::vector<SequenceFrame> frames; //!< At least two, the first with truth.
+  std::vector<std::string> notes;    //!< What of the data set was left out, and why.
 };
 
 /*!

@@ -61,6 +61,9 @@ void openAll(const EvaluateOptions &options, Evaluation &evaluation)
   for (const std::string &scene : scenes) {
     try {
       evaluation.sequences.push_back(open(options, scene));
+      for (const std::string &note : evaluation.sequences.back().notes) {
+        evaluation.skipped.push_back({scene, note});
+      }
     } catch (const vpException &e) {
       evaluation.failures.push_back({scene, e.getStringMessage()});
     }

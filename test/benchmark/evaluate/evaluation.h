@@ -20,7 +20,7 @@ struct Evaluation
   std::vector<Sequence> sequences; //!< The scenes that could be opened.
   std::vector<RunResult> runs;     //!< By scene, tracker, protocol and step, in the order in which they were asked for.
   std::vector<Failure> failures;
-  std::vector<Failure> skipped; //!< Trackers that the object has no model for.
+  std::vector<Failure> skipped; //!< Trackers that the object has no model for, and notes of sequences.
 
   //! \return The sequence of a run.
   const Sequence &sequenceOf(const RunResult &run) const;

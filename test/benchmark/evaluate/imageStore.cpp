@@ -19,10 +19,7 @@ const cv::Mat &ImageStore::decoded(std::size_t index)
     return known->second;
   }
   const std::string &file = m_sequence.frames[index].image;
-  m_last = cv::imread(file, cv::IMREAD_COLOR);
-  if (m_last.empty()) {
-    throw vpException(vpException::ioError, "'%s' is missing or no image that can be read", file.c_str());
-  }
+  m_last = readColorImage(file, m_depth);
   if (m_size.empty()) {
     m_size = m_last.size();
   }

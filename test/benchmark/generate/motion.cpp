@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generate/motion.h"
 
-#include "dataset/bopWriter.h"
+#include "dataset/checkedGeometry.h"
 
 #include <visp3/se3/vpPoseRandom.h>
 

@@ -73,8 +73,6 @@ std::vector<Damage> damages()
              {"scene_gt.json", "'3'", "[0]", "rotation"}),
       edited(truth, "[10, -5, 500]", "[10, -5]", {"scene_gt.json", "'3'", "[0]", "cam_t_m2c", "3 numbers"}),
       edited(truth, "[10, -5, 500]", "[10, null, 500]", {"scene_gt.json", "'3'", "[0]", "cam_t_m2c", "null"}),
-      edited(truth, "[10, -5, 500]", "[10, -5, 0]", {"scene_gt.json", "'3'", "[0]", "front"}),
-      edited(truth, "[20, -5, 500]", "[20, -5, -500]", {"scene_gt.json", "'4'", "[0]", "front"}),
       edited(truth, "\"obj_id\": 5", "\"obj_id\": 5.5", {"scene_gt.json", "'3'", "[0]", "obj_id", "5.5"}),
       edited(truth, "\"obj_id\": 5", "\"obj\": 5", {"scene_gt.json", "'3'", "[0]", "'obj_id'", "missing"}),
       edited(info, "0.75", "1.5", {"scene_gt_info.json", "'3'", "visib_fract", "[0, 1]"}),
