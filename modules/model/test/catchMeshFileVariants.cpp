@@ -118,7 +118,7 @@ TEST_CASE("Meshes that are cut off anywhere are refused, or the report warns", "
   }
 }
 
-TEST_CASE("Binary meshes that are cut off anywhere are refused", "[files]")
+TEST_CASE("Binary meshes that are cut off or changed anywhere are refused, or read", "[files]")
 {
   const Reader reader;
   for (const auto &[extension, content] : {std::pair<std::string, std::string>{"ply", binaryPly(false)},
@@ -128,6 +128,15 @@ TEST_CASE("Binary meshes that are cut off anywhere are refused", "[files]")
     const std::string right = shapeOf(reader.read(extension, content));
     CHECK(right.find("0.2 0.3 0.4 m") == 0);
     CHECK(reader.faults(extension, right, cuts(content)) == "");
+    CHECK(reader.faults(extension, right, byteFlips(content, 400)) == "");
+  }
+}
+
+TEST_CASE("Meshes with other bytes are read, or refused by name", "[files]")
+{
+  const Reader reader;
+  for (const Format &format : formats()) {
+    CHECK(reader.faults(format.extension, "", byteFlips(format.content, 400)) == "");
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <locale>
 #include <sstream>
@@ -60,6 +61,27 @@ inline std::vector<Variant> tokenEdits(const std::string &content, std::size_t s
       }
     }
     start = content.find_first_not_of(blanks, end);
+  }
+  return variants;
+}
+
+//! One to three bytes changed, at places that are drawn.
+inline std::vector<Variant> byteFlips(const std::string &content, int count)
+{
+  std::vector<Variant> variants;
+  std::uint32_t state = 1;
+  const auto draw = [&state](std::size_t below) {
+    state = state * 1664525U + 1013904223U;
+    return static_cast<std::size_t>(state >> 8U) % below;
+  };
+  for (int i = 0; i < count; ++i) {
+    Variant variant = {"flip " + std::to_string(i), content, false};
+    for (std::size_t left = 1 + draw(3); left > 0; --left) {
+      const std::size_t at = draw(content.size());
+      variant.content[at] = static_cast<char>(draw(256));
+      variant.what += ", byte " + std::to_string(at);
+    }
+    variants.push_back(std::move(variant));
   }
   return variants;
 }

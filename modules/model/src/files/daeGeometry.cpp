@@ -178,6 +178,10 @@ std::size_t DaeGeometry::countIn(const std::string &kind, const pugi::xml_node &
 
 std::size_t DaeGeometry::countPrimitive(const pugi::xml_node &primitive) const
 {
+  const pugi::xml_node vertex = primitive.find_child_by_attribute("input", "semantic", "VERTEX");
+  if (!vertex || std::string(withId(vertex.attribute("source").value()).name()) != "vertices") {
+    refuse(std::string("<") + primitive.name() + "> has no input VERTEX of <vertices>");
+  }
   std::size_t stride = 1;
   for (const pugi::xml_node &input : primitive.children("input")) {
     stride = std::max(stride, attribute(input, "offset") + 1);

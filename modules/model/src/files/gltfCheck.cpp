@@ -37,6 +37,9 @@ public:
     checkViews();
     checkAccessors();
     checkMeshes();
+    checkReferences("textures", "source", "images");
+    checkReferences("textures", "sampler", "samplers");
+    checkReferences("images", "bufferView", "bufferViews");
     const Json &scenes = list("scenes");
     const std::size_t scene = m_root.contains("scene") ? whole(m_root, "scene", "the file") : 0;
     for (const Json &node : listIn(at(scenes, scene, "scene"), "nodes")) {
@@ -163,6 +166,16 @@ private:
     }
   }
 
+  // Each index in the members of a list is one of another list.
+  void checkReferences(const char *name, const char *member, const char *others) const
+  {
+    for (const Json &one : list(name)) {
+      if (one.is_object() && one.contains(member)) {
+        at(list(others), whole(one, member, name), others);
+      }
+    }
+  }
+
   void checkMeshes()
   {
     for (const Json &mesh : list("meshes")) {
@@ -189,6 +202,9 @@ private:
       refuse("has positions that are not three 32-bit floats: export it without quantization");
     }
     checkAttributes(primitive["attributes"]);
+    if (primitive.contains("material")) {
+      at(list("materials"), whole(primitive, "material", "a primitive"), "material");
+    }
     std::size_t corners = whole(positions, "count", "an accessor");
     if (primitive.contains("indices")) {
       corners = whole(at(accessors, whole(primitive, "indices", "a primitive"), "accessor"), "count", "an accessor");
