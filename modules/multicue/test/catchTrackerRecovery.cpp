@@ -23,21 +23,6 @@ using searchScenes::displaced;
 const Eigen::Vector3d boxSize(0.2, 0.14, 0.1);
 const vpHomogeneousMatrix start = searchScenes::truePose();
 
-std::string writeBox(const std::string &name)
-{
-  std::ofstream file(name);
-  int count = 0;
-  for (const auto &side : modelShapes::boxPolygons(boxSize)) {
-    for (const Eigen::Vector3d &corner : side) {
-      file << "v " << corner.x() << " " << corner.y() << " " << corner.z() << "\n";
-    }
-    file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3 << " "
-         << count + 4 << "\n";
-    count += 4;
-  }
-  return name;
-}
-
 vpImage<vpRGBa> plainImage(const vpRGBa &color)
 {
   return vpImage<vpRGBa>(colorScenes::height, colorScenes::width, color);
@@ -62,7 +47,7 @@ struct Tracked
     tracker.setParticleSettings(particles);
     tracker.setTrackerType(type);
     tracker.setCameraParameters(colorScenes::makeCamera());
-    tracker.loadModel(writeBox(meshFiles::temporaryFile("recovery-box.obj")));
+    tracker.loadModel(searchScenes::writeBox(boxSize, meshFiles::temporaryFile("recovery-box.obj")));
     tracker.setPrediction(true);
     tracker.setSearch(searches);
     tracker.initFromPose(scene.draw(start, paint), start);

@@ -25,21 +25,6 @@ const vpHomogeneousMatrix truth = searchScenes::truePose();
 const int edge = vpMbMultiCueTracker::EDGE_TRACKER;
 const int allCues = edge | vpMbMultiCueTracker::KLT_TRACKER | vpMbMultiCueTracker::COLOR_TRACKER;
 
-std::string writeBox(const std::string &name)
-{
-  std::ofstream file(name);
-  int count = 0;
-  for (const auto &side : modelShapes::boxPolygons(boxSize)) {
-    for (const Eigen::Vector3d &corner : side) {
-      file << "v " << corner.x() << " " << corner.y() << " " << corner.z() << "\n";
-    }
-    file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3 << " "
-         << count + 4 << "\n";
-    count += 4;
-  }
-  return name;
-}
-
 //! A box, of which the model knows no colours: for edges alone of one colour, else printed before a cluttered
 //! background.
 struct Box
@@ -51,7 +36,7 @@ struct Box
     }
     tracker.setTrackerType(type);
     tracker.setCameraParameters(colorScenes::makeCamera());
-    tracker.loadModel(writeBox(meshFiles::temporaryFile("rough-box.obj")));
+    tracker.loadModel(searchScenes::writeBox(boxSize, meshFiles::temporaryFile("rough-box.obj")));
   }
 
   vpImage<vpRGBa> draw(const vpHomogeneousMatrix &cMo) { return scene.draw(cMo, paint); }

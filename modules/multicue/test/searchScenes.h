@@ -4,6 +4,8 @@
 
 #include "colorScenes.h"
 
+#include <modelShapes.h>
+
 #include <visp3/cues/vpColorOddsMap.h>
 #include <visp3/cues/vpOrientedDistanceMap.h>
 #include <visp3/model/vpViewSphere.h>
@@ -12,7 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <limits>
 #include <memory>
+#include <string>
 
 /*! \file searchScenes.h A box of one colour before a background of another one, and what a search sees of it. */
 
@@ -23,6 +28,27 @@ namespace searchScenes {
 inline vpHomogeneousMatrix truePose()
 {
   return vpHomogeneousMatrix(0.01, -0.01, 0.6, 0.9, 0.5, -0.2);
+}
+
+/*!
+  Writes the box as a mesh. Its corners are numbers of 32 bits, as mesh programs write them: where recovery hangs on the
+  last bits, tests go on with those that they were made with. \param size Lengths of its sides, metres. \return name
+*/
+inline std::string writeBox(const Eigen::Vector3d &size, const std::string &name)
+{
+  std::ofstream file(name);
+  file.precision(std::numeric_limits<double>::max_digits10);
+  int count = 0;
+  for (const auto &side : modelShapes::boxPolygons(size)) {
+    for (const Eigen::Vector3d &corner : side) {
+      const Eigen::Vector3d written = corner.cast<float>().cast<double>();
+      file << "v " << written.x() << " " << written.y() << " " << written.z() << "\n";
+    }
+    file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3 << " "
+         << count + 4 << "\n";
+    count += 4;
+  }
+  return name;
 }
 
 //! In the middle of the histograms' steps, so that noise does not change them.

@@ -13,13 +13,13 @@ BEGIN_VISP_NAMESPACE
 namespace vpMeshDetail {
 bool AssetFiles::Exists(const char *file) const
 {
-  return DefaultIOSystem::Exists(file) || DefaultIOSystem::Exists(percentDecoded(file).c_str());
+  return m_disk.Exists(file) || m_disk.Exists(percentDecoded(file).c_str());
 }
 
 Assimp::IOStream *AssetFiles::Open(const char *file, const char *mode)
 {
   if (file != m_file) {
-    return DefaultIOSystem::Open(DefaultIOSystem::Exists(file) ? file : percentDecoded(file).c_str(), mode);
+    return m_disk.Open(m_disk.Exists(file) ? file : percentDecoded(file).c_str(), mode);
   }
   auto *copy = new std::uint8_t[m_content.size()]; // The stream deletes it.
   std::copy(m_content.begin(), m_content.end(), copy);
