@@ -160,7 +160,8 @@ private:
     std::cout << "\n  --images and --truth are printf patterns (or a video), --part is \"FILE and the 12 numbers of "
                  "its pose\",\n"
                  "  --init-points is \"u v X Y Z\" repeated, --mesh is what our tracker loads in place of --model,\n"
-                 "  --points 1 has both use points as well, --hypotheses 1 switches pose hypotheses on and counts minimisations,\n"
+                 "  --points 1 has both use points as well, --hypotheses 1 switches pose hypotheses on and counts "
+                 "minimisations,\n"
                  "  --write-mesh where the surface of the model is written as .obj.\n";
   }
 };

@@ -404,7 +404,7 @@ public:
   void endTracks(const vpHomogeneousMatrix &cMo);
 
   vpPoseCapture poseCapture;
-  std::uint64_t captures = 0; // Since the start: each has a stream of random numbers.
+  std::uint64_t captures = 0;                  // Since the start: each has a stream of random numbers.
   std::optional<vpHomogeneousMatrix> captured; // Where the object is by the image of the start.
 
   vpRoughStart rough;
