@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpContourEvidence.cpp" // The library keeps it to itself.
+#include "judge/vpContourEvidence.cpp" // The library keeps it to itself.
 
 #include <edgeScenes.h>
 

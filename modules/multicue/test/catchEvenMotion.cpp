@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpEvenMotion.h" // The library keeps it to itself.
+#include "motion/vpEvenMotion.h" // The library keeps it to itself.
 
 #include <catchMain.h>
 

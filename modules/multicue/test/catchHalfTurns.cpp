@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpHalfTurns.cpp" // The library keeps it to itself.
+#include "symmetry/vpHalfTurns.cpp" // The library keeps it to itself.
 
 #include <modelShapes.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPastKnowledge.h"
+#include "knowledge/vpPastKnowledge.h"
 
 #include <algorithm>
 #include <vector>

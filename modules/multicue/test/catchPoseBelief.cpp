@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPoseBelief.cpp" // The library keeps it to itself.
+#include "judge/vpPoseBelief.cpp" // The library keeps it to itself.
 
 #include <catchMain.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpContourEvidence.cpp" // The library keeps them to itself.
-#include "tracker/vpPoseBelief.cpp"
-#include "tracker/vpPoseTracks.cpp"
+#include "judge/vpContourEvidence.cpp" // The library keeps them to itself.
+#include "judge/vpPoseBelief.cpp"
+#include "judge/vpPoseTracks.cpp"
 
 #include <catchMain.h>
 

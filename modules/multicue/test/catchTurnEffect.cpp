@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpTurnEffect.h"
+#include "knowledge/vpTurnEffect.h"
 
 #include <catchMain.h>
 

@@ -2,8 +2,8 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "hypotheses/vpControlPointMotion.h"
-#include "tracker/vpPoseCheck.h"
-#include "tracker/vpStopwatch.h"
+#include "motion/vpPoseCheck.h"
+#include "frame/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpException.h>

@@ -2,7 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpTrackerState.h"
-#include "tracker/vpTurnBetween.h"
+#include "motion/vpTurnBetween.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "tracker/vpPoseCheck.h"
+#include "motion/vpPoseCheck.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpException.h>

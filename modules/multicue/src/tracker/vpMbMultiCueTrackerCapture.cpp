@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "tracker/vpStopwatch.h"
+#include "frame/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 BEGIN_VISP_NAMESPACE

@@ -2,7 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "hypotheses/vpControlPointMotion.h"
-#include "tracker/vpStopwatch.h"
+#include "frame/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <algorithm>

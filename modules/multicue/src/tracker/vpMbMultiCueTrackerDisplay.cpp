@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "tracker/vpDistortedPoint.h"
-#include "tracker/vpFeatureForDisplay.h"
-#include "tracker/vpGradientAngle.h"
+#include "facade/vpDistortedPoint.h"
+#include "facade/vpFeatureForDisplay.h"
+#include "facade/vpGradientAngle.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpDisplay.h>

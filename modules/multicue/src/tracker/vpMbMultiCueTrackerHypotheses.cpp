@@ -2,9 +2,9 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "hypotheses/vpControlPointMotion.h"
-#include "tracker/vpDistortedPoint.h"
-#include "tracker/vpHypothesisColor.h"
-#include "tracker/vpStopwatch.h"
+#include "facade/vpDistortedPoint.h"
+#include "facade/vpHypothesisColor.h"
+#include "frame/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpDisplay.h>

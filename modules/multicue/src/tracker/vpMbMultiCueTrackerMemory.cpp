@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
-#include "tracker/vpEvenMotion.h"
+#include "motion/vpEvenMotion.h"
 #include "tracker/vpTrackerState.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "model/vpPrimitiveCollector.h"
-#include "tracker/vpMbTrackerNames.h"
+#include "facade/vpMbTrackerNames.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpException.h>

@@ -2,7 +2,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "tracker/vpTrackerState.h"
-#include "tracker/vpUnobservedMotions.h"
+#include "estimate/vpUnobservedMotions.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include "hypotheses/vpMotionFrame.h"
-#include "tracker/vpMbTrackerNames.h"
-#include "tracker/vpStopwatch.h"
+#include "facade/vpMbTrackerNames.h"
+#include "frame/vpStopwatch.h"
 #include "tracker/vpTrackerState.h"
 
 #include <visp3/core/vpExponentialMap.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tracker/vpTrackerState.h"
 
-#include "tracker/vpStopwatch.h"
+#include "frame/vpStopwatch.h"
 
 #include <visp3/core/vpException.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPoseTracks.h"
+#include "judge/vpPoseTracks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #ifndef vpPoseTracks_h
 #define vpPoseTracks_h
 
-#include "tracker/vpContourEvidence.h"
-#include "tracker/vpPoseBelief.h"
+#include "judge/vpContourEvidence.h"
+#include "judge/vpPoseBelief.h"
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 

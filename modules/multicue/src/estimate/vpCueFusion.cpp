@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpCueFusion.h"
+#include "estimate/vpCueFusion.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPoseBelief.h"
+#include "judge/vpPoseBelief.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #ifndef vpUnobservedMotions_h
 #define vpUnobservedMotions_h
 
-#include "tracker/vpCueFusion.h"
-#include "tracker/vpTrackerSymmetries.h"
+#include "estimate/vpCueFusion.h"
+#include "symmetry/vpTrackerSymmetries.h"
 
 #include <visp3/multicue/vpMbTrackingResult.h>
 

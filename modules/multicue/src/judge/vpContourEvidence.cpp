@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpContourEvidence.h"
+#include "judge/vpContourEvidence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpTextureSupport.h"
+#include "knowledge/vpTextureSupport.h"
 
 BEGIN_VISP_NAMESPACE
 

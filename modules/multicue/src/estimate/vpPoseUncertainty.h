@@ -2,7 +2,7 @@
 #ifndef vpPoseUncertainty_h
 #define vpPoseUncertainty_h
 
-#include "tracker/vpCueFusion.h"
+#include "estimate/vpCueFusion.h"
 
 BEGIN_VISP_NAMESPACE
 

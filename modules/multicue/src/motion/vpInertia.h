@@ -2,7 +2,7 @@
 #ifndef vpInertia_h
 #define vpInertia_h
 
-#include "tracker/vpEvenMotion.h"
+#include "motion/vpEvenMotion.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/multicue/vpMbOneCamera.h>
 
-#include "tracker/vpOneCameraEntry.h"
+#include "facade/vpOneCameraEntry.h"
 
 #include <visp3/core/vpException.h>
 

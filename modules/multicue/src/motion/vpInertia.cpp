@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpInertia.h"
+#include "motion/vpInertia.h"
 
 #include <Eigen/Geometry>
 

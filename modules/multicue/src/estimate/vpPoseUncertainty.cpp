@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPoseUncertainty.h"
+#include "estimate/vpPoseUncertainty.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

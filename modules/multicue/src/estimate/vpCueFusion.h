@@ -2,7 +2,7 @@
 #ifndef vpCueFusion_h
 #define vpCueFusion_h
 
-#include "tracker/vpPosePrior.h"
+#include "estimate/vpPosePrior.h"
 
 #include <visp3/core/vpColVector.h>
 #include <visp3/core/vpMatrix.h>

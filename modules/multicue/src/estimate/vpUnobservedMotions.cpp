@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpUnobservedMotions.h"
+#include "estimate/vpUnobservedMotions.h"
 
-#include "tracker/vpCentreFrame.h"
+#include "motion/vpCentreFrame.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpHalfTurns.h"
+#include "symmetry/vpHalfTurns.h"
 
-#include "tracker/vpTurnBetween.h"
+#include "motion/vpTurnBetween.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpPoseCheck.h"
+#include "motion/vpPoseCheck.h"
 
 #include <visp3/core/vpException.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpSearchBudget.h"
+#include "frame/vpSearchBudget.h"
 
 #include <visp3/core/vpException.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tracker/vpTrackerSymmetries.h"
+#include "symmetry/vpTrackerSymmetries.h"
 
-#include "tracker/vpCentreFrame.h"
+#include "motion/vpCentreFrame.h"
 
 #include <visp3/multicue/vpModelSymmetriesReader.h>
 
