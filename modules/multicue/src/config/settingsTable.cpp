@@ -4,7 +4,7 @@
 #include "config/settingsText.h"
 
 #include <visp3/core/vpException.h>
-#include <visp3/multicue/vpMbMultiCueTracker.h>
+#include <visp3/multicue/vpCueKind.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,11 +206,12 @@ const Words &wordsOf(vpParticleSettings::Output)
   return words;
 }
 
-const Words &cueWords()
+Words cueWords()
 {
-  static const Words words = {{"edge", vpMbMultiCueTracker::EDGE_TRACKER},
-                              {"color", vpMbMultiCueTracker::COLOR_TRACKER},
-                              {"point", vpMbMultiCueTracker::KLT_TRACKER}};
+  Words words;
+  for (const vpCueKind &kind : vpCueKinds::all()) {
+    words.emplace_back(kind.name, kind.type);
+  }
   return words;
 }
 

@@ -69,13 +69,14 @@ using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draf
                            vpParticleSettings::Output &(*)(Draft &), CueSum &(*)(Draft &), std::string &(*)(Draft &)>;
 
 //! The words for a value that is one of several or, for CueSum, a sum of them.
-using Words = std::vector<std::pair<const char *, int>>;
+using Words = std::vector<std::pair<std::string, int>>;
 //! The argument only says which of them.
 const Words &wordsOf(vpColorCueSettings::Rows);
 const Words &wordsOf(vpParticleSettings::NoiseFrame);
 const Words &wordsOf(vpParticleSettings::Motion);
 const Words &wordsOf(vpParticleSettings::Output);
-const Words &cueWords();
+//! Of all kinds of cues that there are.
+Words cueWords();
 std::vector<std::string> namesOf(const Words &words);
 
 //! One setting: the name it has in a file, where it is kept, and what it can be.

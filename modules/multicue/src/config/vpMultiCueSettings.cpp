@@ -5,7 +5,7 @@
 #include "config/settingsText.h"
 
 #include <visp3/core/vpException.h>
-#include <visp3/multicue/vpMbMultiCueTracker.h>
+#include <visp3/multicue/vpCueKind.h>
 
 BEGIN_VISP_NAMESPACE
 using namespace vpSettingsDetail;
@@ -26,13 +26,10 @@ void vpMultiCueSettings::check() const
       }
     }
   }
-  const int known =
-      vpMbMultiCueTracker::EDGE_TRACKER | vpMbMultiCueTracker::KLT_TRACKER | vpMbMultiCueTracker::COLOR_TRACKER;
-  if (cues <= 0 || (cues & ~known) != 0) {
+  if (cues <= 0 || (cues & ~vpCueKinds::allTypes()) != 0) {
     throw vpException(vpException::badValue,
-                      "vpMultiCueSettings::cues is %d, it must be a sum of vpMbMultiCueTracker::EDGE_TRACKER (1), "
-                      "KLT_TRACKER (2) and COLOR_TRACKER (16)",
-                      cues);
+                      "vpMultiCueSettings::cues is %d, it must be a sum of vpMbMultiCueTracker's %s", cues,
+                      vpCueKinds::listText().c_str());
   }
   // What members have to do with each other.
   edge.check();

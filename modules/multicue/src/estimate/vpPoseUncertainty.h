@@ -4,6 +4,8 @@
 
 #include "estimate/vpCueFusion.h"
 
+#include <visp3/multicue/vpCueKind.h>
+
 BEGIN_VISP_NAMESPACE
 
 /*!
@@ -46,7 +48,7 @@ private:
   double correlatedRows();
   vpPoseMatrix6 invert(const vpPoseMatrix6 &weighed, const vpPoseMatrix6 &spread) const;
 
-  std::array<Share, 3> m_shares;
+  std::array<Share, vpCueKinds::most> m_shares;
   std::size_t m_count = 0;
   vpPoseMatrix6 m_prior = vpPoseMatrix6::Identity();
   vpPoseMatrix6 m_cVo = vpPoseMatrix6::Identity();

@@ -29,8 +29,8 @@ const double priorWeight = 0.05;
 const std::uint64_t starts = 8;
 // By how much another pose has to be better than the given one. The best of them is so by chance where much else looks
 // like an edge of the object: on a box of marble before a plain wall by 0.09, on a painted box before clutter by 0.17.
-// Of 883 exact starts in rendered sequences, 874 are kept with 0.2, 881 with 0.25; of 100 starts that are two pixels off
-// on ViSP's teabox, which its model fits badly, 100 and 99 are right.
+// Of 883 exact starts in rendered sequences, 874 are kept with 0.2, 881 with 0.25; of 100 starts that are two pixels
+// off on ViSP's teabox, which its model fits badly, 100 and 99 are right.
 const double leastGain = 0.2;
 // Shares of an offset that are shifts along each axis, and how far from the middle its turns are felt, diameters.
 const double shiftShare = 0.7;

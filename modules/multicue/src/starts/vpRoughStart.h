@@ -6,6 +6,7 @@
 
 #include <visp3/multicue/vpWeightedPose.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct vpRoughStart
     const double usualTranslation = 0.1; // Diameters.
     const double translation = deviation.translation > 0. ? deviation.translation / diameter : usualTranslation;
     return {perAxis * translation, perAxis * deviation.rotation, perAxis * translation};
+  }
+
+  static const vpHomogeneousMatrix &heaviest(const std::vector<vpWeightedPose> &poses)
+  {
+    return std::max_element(poses.begin(), poses.end(),
+                            [](const vpWeightedPose &a, const vpWeightedPose &b) { return a.weight < b.weight; })
+        ->cMo;
   }
 
   void clear()

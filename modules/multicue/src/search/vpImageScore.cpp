@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "search/vpImageScore.h"
+
+#include "frame/vpStopwatch.h"
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+// What colours and surface count in a search after a loss: other sides are seen, and other light.
+const double othersAfterLoss = 0.5;
+const double othersByEdges = 0.15; // The same in one by edges.
+const unsigned int spherePoints = 100;
+const std::size_t keptParents = 24;
+const std::size_t children = 200;
+const unsigned int layers = 3;
+
+// The best poses after a first alignment, with those that were not to be lost by it.
+void keepSettled(vpPoseSearch &search)
+{
+  search.addCopies();
+  search.score();
+  search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
+}
+
+// Poses that were aligned are near to what they can become.
+void annealSettled(vpPoseSearch &search)
+{
+  search.score();
+  search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
+}
+} // namespace
+
+vpViewSphere &vpImageScore::sphere()
+{
+  if (!m_sphere) {
+    vpViewSphereOptions options;
+    options.points = spherePoints;
+    const bool isConvex = m_looks.model().isConvex();
+    m_sphere = std::make_unique<vpViewSphere>(
+        m_looks.pointer(), options,
+        isConvex ? nullptr : vpModelRenderer::create(m_looks.pointer(), m_looks.preference()));
+    m_score.setSphere(m_sphere.get());
+    m_aligner.setSphere(m_sphere.get());
+    m_contourScan.setSphere(m_sphere.get());
+  }
+  return *m_sphere;
+}
+
+void vpImageScore::setFrame(const vpFrameContext &frame)
+{
+  if (!hasWhole(frame)) {
+    setRegion(frame, {0, 0, static_cast<int>(frame.image.width()), static_cast<int>(frame.image.height())});
+    m_wholeFrame = frame.image.number();
+  }
+}
+
+void vpImageScore::setRegion(const vpFrameContext &frame, const vpImageRegion &region)
+{
+  sphere();
+  const vpStopwatch stage(frame.timings.map);
+  const vpCueFrame &image = frame.image;
+  m_distances.compute(image, region);
+  const bool hasColors = m_cues.knowsColors();
+  if (hasColors) {
+    m_odds.compute(image, m_cues.color().histograms(), region);
+  }
+  m_aligner.setImage(hasColors ? &m_odds : nullptr, &m_distances, image.camera(), image.width(), image.height());
+  const bool hasSurface = !m_cues.isEdgesAlone();
+  if (hasSurface) {
+    m_knowledge.surface.setFrame(image);
+  }
+  weigh(false);
+  m_score.setImage(m_cues.uses(vpCueSet::EDGE) ? &m_distances : nullptr, hasColors ? &m_odds : nullptr,
+                   hasSurface ? &m_knowledge.surface : nullptr, image.camera(), image.width(), image.height());
+}
+
+void vpImageScore::weigh(bool byEdges)
+{
+  const double others = byEdges ? othersByEdges : m_situation.mustConfirm ? othersAfterLoss : 1.;
+  const vpAgreement &unsteadiness = m_knowledge.unsteadiness;
+  m_score.setWeights(vpObjectKnowledge::reliability(unsteadiness.cues[vpCueSet::EDGE]),
+                     others * vpObjectKnowledge::reliability(unsteadiness.cues[vpCueSet::COLOR]),
+                     others * vpObjectKnowledge::reliability(unsteadiness.surface));
+}
+
+double vpImageScore::insideShare(const vpHomogeneousMatrix &cMo)
+{
+  vpPoseScore outline; // What the score looks at stays as it is.
+  outline.setSphere(&sphere());
+  outline.setImage(nullptr, nullptr, nullptr, m_looks.camera(), m_looks.width(), m_looks.height());
+  return outline(cMo).inside;
+}
+
+void vpImageScore::settle(vpPoseSearch &search)
+{
+  if (!m_cues.knowsColors()) {
+    settleByScore(search);
+    return;
+  }
+  if (m_situation.mustConfirm || m_knowledge.hasUnsteadyColors()) {
+    search.keepCopies(); // Poses are looked at where they were drawn, too.
+  }
+  search.alignByColors(m_aligner, 0.15, 2);
+  search.alignByColors(m_aligner, 0.08, 1);
+  keepSettled(search);
+  search.alignByColors(m_aligner, 0.05, 2);
+  annealSettled(search);
+}
+
+void vpImageScore::settleByScore(vpPoseSearch &search) const
+{
+  if (!m_cues.uses(vpCueSet::EDGE)) {
+    search.score();
+    search.anneal(vpPoseSearch::near(), keptParents, children, layers);
+    return;
+  }
+  search.keepCopies(); // Where edges are many, the nearest ones may lead away from the object's.
+  search.alignByEdges(m_aligner, 3);
+  keepSettled(search);
+  search.alignByEdges(m_aligner, 2);
+  annealSettled(search);
+}
+
+END_VISP_NAMESPACE
