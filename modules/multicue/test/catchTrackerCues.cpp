@@ -42,6 +42,53 @@ double error(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &truth)
   return (cMo.getTranslationVector() - truth.getTranslationVector()).frobeniusNorm();
 }
 
+// Counts the control points that the first search of a frame found.
+class FirstSearch : public vpMbMultiCueTracker
+{
+public:
+  unsigned int found(const vpImage<vpRGBa> &I)
+  {
+    m_found = 0;
+    track(I);
+    return m_found;
+  }
+
+protected:
+  void computeVVSInit() override
+  {
+    vpMbMultiCueTracker::computeVVSInit();
+    m_found = m_found == 0 ? getNbFeaturesEdge() : m_found;
+  }
+
+private:
+  unsigned int m_found = 0;
+};
+
+// How many are found of an object that was at rest and is 10 pixels farther. \param wander Of the velocity.
+unsigned int foundOfShifted(double range, bool isPredicted, double wander = 1.)
+{
+  renderedBox box;
+  FirstSearch tracker;
+  prepare(tracker, edge | klt); // There is no texture: nothing but the edges brings the pose nearer.
+  vpPoseKalmanSettings motion;
+  motion.translationWander = motion.startTranslation = wander;
+  motion.rotationWander = motion.startRotation = wander;
+  tracker.setPrediction(true, motion);
+  tracker.setPredictedRange(isPredicted);
+  vpEdgeCueSettings settings = tracker.getEdgeSettings();
+  settings.range = range;
+  tracker.setEdgeSettings(settings);
+  tracker.initFromPose(box.drawColor(renderedBox::pose()), renderedBox::pose());
+  for (int i = 0; i < 4; ++i) {
+    tracker.track(box.drawColor(renderedBox::pose()));
+  }
+  const vpHomogeneousMatrix shifted = vpHomogeneousMatrix(0.01, 0., 0., 0., 0., 0.) * renderedBox::pose();
+  const unsigned int found = tracker.found(box.drawColor(shifted));
+  CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
+  CHECK(tracker.getEdgeSettings().range == range);
+  return found;
+}
+
 bool isFinite(const vpHomogeneousMatrix &cMo)
 {
   return std::all_of(cMo.data, cMo.data + 16, [](double value) { return std::isfinite(value); });
@@ -123,6 +170,27 @@ TEST_CASE("The search range of the prediction leaves the user's range as it is",
     CHECK(error(tracker.getPose(), poseAt(i)) < 0.004);
     CHECK(tracker.getEdgeSettings().range == range);
   }
+}
+
+TEST_CASE("The search range of the prediction follows what is known of the motion, within its limits", "[tracker]")
+{
+  const double usual = vpEdgeCueSettings().range;
+  const double quiet = 0.001;
+  const double lively = 1.;
+  // The longer the range, the more is found of this motion.
+  const unsigned int byShortest = foundOfShifted(6., false);
+  const unsigned int byUsual = foundOfShifted(usual, false);
+  const unsigned int byTwice = foundOfShifted(2. * usual, false);
+  REQUIRE(byShortest < byUsual);
+  REQUIRE(byUsual < byTwice);
+  CHECK(foundOfShifted(usual, true, quiet) == byShortest);
+  CHECK(foundOfShifted(2. * usual, true, quiet) == byShortest);
+  const unsigned int between = foundOfShifted(2. * usual, true, 0.3);
+  CHECK(between > byShortest);
+  CHECK(between < byTwice);
+  CHECK(foundOfShifted(usual, true, lively) == byTwice); // As the user set none.
+  const double set = usual - 1.;
+  CHECK(foundOfShifted(set, true, lively) == foundOfShifted(set, false));
 }
 
 TEST_CASE("Wrong types and times are named and change nothing", "[tracker]")
