@@ -21,6 +21,18 @@ vpImage<vpRGBa> square(int left, int top, int side)
   return I;
 }
 
+//! The object's colour to the left of a column and above a row.
+vpImage<vpRGBa> upperLeft(unsigned int height, unsigned int width, unsigned int row, unsigned int column)
+{
+  vpImage<vpRGBa> I(height, width, ground);
+  for (unsigned int i = 0; i < row; ++i) {
+    for (unsigned int j = 0; j < column; ++j) {
+      I[i][j] = object;
+    }
+  }
+  return I;
+}
+
 std::vector<vpBlob> found(const vpImage<vpRGBa> &I, double size, std::size_t most = 4)
 {
   vpFrameSource source;
@@ -78,8 +90,25 @@ TEST_CASE("Half of a square at the image's border is found", "[blob-finder]")
 TEST_CASE("Images smaller than a cell, and windows larger than the image", "[blob-finder]")
 {
   CHECK(found(vpImage<vpRGBa>(5, 5, object), 64.).empty());
-  for (const vpBlob &blob : found(square(100, 100, 40), 2000.)) {
-    CHECK(std::isfinite(blob.contrast));
+  CHECK(found(upperLeft(240, 7, 120, 7), 64.).empty());
+  CHECK(found(upperLeft(7, 320, 7, 160), 64.).empty());
+  // Nothing is around a window that holds all of the image, and hardly anything inside one that is much larger.
+  const vpImage<vpRGBa> half = upperLeft(240, 320, 240, 152);
+  for (const double size : {640., 900., 1300., 2000., 1e5}) {
+    CAPTURE(size);
+    CHECK(found(vpImage<vpRGBa>(240, 320, object), size).empty());
+    CHECK(found(half, size).empty() == (size > 1000.));
   }
-  CHECK(found(square(100, 100, 40), 1.).size() <= 4);
+}
+
+TEST_CASE("The smallest windows are two cells wide", "[blob-finder]")
+{
+  const std::vector<vpBlob> blobs = found(square(96, 96, 40), 1.);
+  REQUIRE(blobs.size() == 4);
+  for (const vpBlob &blob : blobs) {
+    CHECK(blob.size == 16.);
+    CHECK(blob.contrast > 0.);
+    CHECK(std::fabs(blob.u - 116.) <= 28.);
+    CHECK(std::fabs(blob.v - 116.) <= 28.);
+  }
 }
