@@ -7,6 +7,7 @@
 
 #include <catchMain.h>
 
+#include <cmath>
 #include <limits>
 
 namespace {
@@ -94,6 +95,7 @@ TEST_CASE("Another side, or another size, fits worse anywhere", "[contour-scan]"
 TEST_CASE("What is behind the camera or too large to see is not found, without harm", "[contour-scan]")
 {
   Scanned scene(truth);
+  CHECK(scene.scan.find(inTheMiddle()).share > 0.5);
   Eigen::Isometry3d pose = inTheMiddle();
   pose.translation().z() = -0.6;
   CHECK(scene.scan.find(pose).share == 0.);
@@ -101,8 +103,29 @@ TEST_CASE("What is behind the camera or too large to see is not found, without h
   CHECK(scene.scan.find(pose).share < 0.1);
   pose.translation().z() = std::numeric_limits<double>::quiet_NaN();
   CHECK(scene.scan.find(pose).share == 0.);
-  for (const double radius : {0., 1e-3, 1e9}) { // Of an object that is far away, or about the camera.
+}
+
+TEST_CASE("Of an object that is taken for smaller hardly any point counts, and of none are there too many cells",
+          "[contour-scan]")
+{
+  Scanned scene(truth);
+  const vpContourScan::Find before = scene.scan.find(inTheMiddle());
+  for (const double radius : {0., 1e-3, 1.}) { // Far away.
+    CAPTURE(radius);
     scene.scan.setImage(scene.edges, scene.camera, scene.width, scene.height, radius);
-    CHECK(scene.scan.find(inTheMiddle()).share <= 1.);
+    CHECK(scene.scan.find(inTheMiddle()).share < 0.1);
   }
+  for (const double radius : {500., 1e9}) { // About the camera.
+    CAPTURE(radius);
+    scene.scan.setImage(scene.edges, scene.camera, scene.width, scene.height, radius);
+    const vpContourScan::Find find = scene.scan.find(inTheMiddle());
+    CHECK(find.share > 0.5);
+    CHECK(std::fabs(find.u - before.u) < 8.F);
+    CHECK(std::fabs(find.v - before.v) < 8.F);
+  }
+  scene.scan.setImage(scene.edges, scene.camera, scene.width, scene.height, radiusIn(scene));
+  const vpContourScan::Find after = scene.scan.find(inTheMiddle());
+  CHECK(after.share == before.share);
+  CHECK(after.u == before.u);
+  CHECK(after.v == before.v);
 }
