@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
+#include "boxEdges.h"
 #include "renderedBox.h"
 
 #include <meshFiles.h>
@@ -165,6 +166,9 @@ TEST_CASE("The covariance is that of the pose, and nothing is left of a mask", "
   CHECK(tracker.getNbFeaturesEdge() == tracker.getError().getRows());
   CHECK(tracker.getNbPoints() > 100);
 
+  const auto isInLeftHalf = [](const std::vector<double> &feature) { return feature[2] < 319.; };
+  const std::vector<std::vector<double>> unmasked = tracker.getFeaturesForDisplay();
+  CHECK(std::any_of(unmasked.begin(), unmasked.end(), isInLeftHalf));
   vpImage<bool> mask(480, 640, true);
   for (unsigned int i = 0; i < 480; ++i) {
     for (unsigned int j = 0; j < 320; ++j) {
@@ -173,9 +177,9 @@ TEST_CASE("The covariance is that of the pose, and nothing is left of a mask", "
   }
   tracker.setMask(mask);
   tracker.track(I);
-  for (const std::vector<double> &feature : tracker.getFeaturesForDisplay()) {
-    CHECK(feature[2] >= 319.);
-  }
+  const std::vector<std::vector<double>> features = tracker.getFeaturesForDisplay();
+  CHECK(features.size() > 20);
+  CHECK(std::none_of(features.begin(), features.end(), isInLeftHalf));
   CHECK(tracker.getNbFeaturesEdge() > 20);
 }
 
@@ -187,21 +191,37 @@ TEST_CASE("What is displayed are the visible edges", "[tracker]")
   const vpImage<unsigned char> I = box.draw(renderedBox::pose());
   tracker.initFromPose(I, renderedBox::pose());
   tracker.track(I);
-  double shown = 0.;
-  double all = 0.;
+  const std::vector<BoxEdge> edges = boxEdges(renderedBox::pose());
   for (const bool full : {false, true}) {
+    std::vector<double> shown(edges.size(), 0.); // Of each edge, pixels.
     for (const std::vector<double> &line :
          tracker.getModelForDisplay(640, 480, renderedBox::pose(), renderedBox::camera(), full)) {
       REQUIRE(line.size() == 5);
       CHECK(line[0] == 0.);
-      (full ? all : shown) += std::hypot(line[1] - line[3], line[2] - line[4]);
+      const vpImagePoint from(line[1], line[2]);
+      const vpImagePoint to(line[3], line[4]);
+      const auto edge = std::find_if(edges.begin(), edges.end(), [&](const BoxEdge &e) {
+        return e.distance(from) < 0.01 && e.distance(to) < 0.01;
+      });
+      REQUIRE(edge != edges.end());
+      shown[static_cast<std::size_t>(edge - edges.begin())] += vpImagePoint::distance(from, to);
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      CAPTURE(full, i);
+      const double expected = full || edges[i].isVisible ? vpImagePoint::distance(edges[i].from, edges[i].to) : 0.;
+      CHECK(std::fabs(shown[i] - expected) < 1.);
     }
   }
-  CHECK(shown > 300.);
-  CHECK(all > 1.2 * shown); // Three of the twelve edges are hidden.
-  for (const std::vector<double> &feature : tracker.getFeaturesForDisplay()) {
+  CHECK(std::count_if(edges.begin(), edges.end(), [](const BoxEdge &e) { return e.isVisible; }) == 9);
+  const std::vector<std::vector<double>> features = tracker.getFeaturesForDisplay();
+  CHECK(features.size() > 100);
+  for (const std::vector<double> &feature : features) {
     REQUIRE(feature.size() == 4);
     CHECK(feature[0] == 0.);
+    CHECK(feature[3] == 0.); // vpMeSite::NO_SUPPRESSION: all of them are found here.
+    CHECK(std::any_of(edges.begin(), edges.end(), [&](const BoxEdge &e) {
+      return e.isVisible && e.distance(vpImagePoint(feature[1], feature[2])) < 2.;
+    }));
   }
   CHECK(tracker.computeCurrentProjectionError(I, renderedBox::pose(), renderedBox::camera()) < 5.);
   vpHomogeneousMatrix wrong = renderedBox::pose() * vpHomogeneousMatrix(0.02, 0.02, 0., 0., 0., 0.3);
