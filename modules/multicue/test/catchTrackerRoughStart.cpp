@@ -9,6 +9,7 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 #include <visp3/se3/vpPoseRandom.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -95,6 +96,11 @@ vpHomogeneousMatrix notANumber()
   vpHomogeneousMatrix cMo = truth;
   cMo[0][3] = std::numeric_limits<double>::quiet_NaN();
   return cMo;
+}
+
+bool isSame(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b)
+{
+  return std::equal(a.data, a.data + 16, b.data);
 }
 
 vpHomogeneousMatrix behind()
@@ -250,27 +256,63 @@ TEST_CASE("The same rough start gives the same bits", "[rough]")
   const vpImage<vpRGBa> I = first.draw(truth);
   first.tracker.initFromRoughPose(I, off(1, 12.));
   second.tracker.initFromRoughPose(I, off(1, 12.));
-  const vpHomogeneousMatrix a = first.tracker.getPose();
-  const vpHomogeneousMatrix b = second.tracker.getPose();
-  CHECK(std::equal(a.data, a.data + 16, b.data));
+  CHECK(isSame(first.tracker.getPose(), second.tracker.getPose()));
 }
 
-TEST_CASE("Starts and hints that cannot be are refused with an exception", "[rough]")
+TEST_CASE("Starts that cannot be are refused with an exception that says why", "[rough]")
 {
-  Box box(edge);
-  vpMbMultiCueTracker &tracker = box.tracker;
   const vpImage<vpRGBa> I = plainImage();
-  CHECK_THROWS_AS(tracker.initFromRoughPose(I, notANumber()), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPose(I, behind()), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPose(vpImage<vpRGBa>(), truth), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPose(I, truth, deviation(-1.)), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPose(I, truth, deviation(200.)), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPoses(I, {}), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPoses(I, {{truth, 1.}, {truth, 0.}}), vpException);
-  CHECK_THROWS_AS(tracker.initFromRoughPoses(I, {{truth, 1.}, {behind(), 1.}}), vpException);
-  CHECK_THROWS_AS(tracker.track(I), vpException); // None of them was a start.
-  CHECK_THROWS_AS(tracker.setPoseHint(notANumber()), vpException);
-  CHECK_THROWS_AS(tracker.setPoseHint(behind()), vpException);
-  CHECK_THROWS_AS(tracker.setPoseHint(truth, deviation(-1.)), vpException);
-  CHECK_THROWS_AS(vpMbMultiCueTracker().setPoseHint(truth), vpException);
+  const auto check = [&I](vpMbMultiCueTracker &tracker) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const auto checkPoses = [&](const std::vector<vpWeightedPose> &poses, const std::string &text) {
+      CHECK_THROWS_WITH(tracker.initFromRoughPoses(I, poses), ContainsSubstring(text));
+    };
+    CHECK_THROWS_WITH(tracker.initFromRoughPose(I, notANumber()), ContainsSubstring("finite"));
+    CHECK_THROWS_WITH(tracker.initFromRoughPose(I, behind()), ContainsSubstring("behind the camera"));
+    CHECK_THROWS_WITH(tracker.initFromRoughPose(vpImage<vpRGBa>(), truth), ContainsSubstring("image is empty"));
+    CHECK_THROWS_WITH(tracker.initFromRoughPose(I, truth, deviation(-1.)),
+                      ContainsSubstring("deviation of the rotation"));
+    CHECK_THROWS_WITH(tracker.initFromRoughPose(I, truth, deviation(200.)),
+                      ContainsSubstring("deviation of the rotation"));
+    vpPoseDeviation negative;
+    negative.translation = -0.01;
+    CHECK_THROWS_WITH(tracker.initFromRoughPose(I, truth, negative), ContainsSubstring("deviation of the translation"));
+    checkPoses({}, "No poses");
+    // The heaviest one, which is where the search would begin, is right.
+    checkPoses({{truth, 2.}, {notANumber(), 1.}}, "finite");
+    checkPoses({{truth, 2.}, {behind(), 1.}}, "behind the camera");
+    for (const double weight : {0., -1., infinite, std::nan("")}) {
+      checkPoses({{truth, 1.}, {truth, weight}}, "weight");
+    }
+  };
+  Box fresh(edge);
+  check(fresh.tracker);
+  CHECK_THROWS_WITH(fresh.tracker.track(I), ContainsSubstring("No initial pose")); // None of them was a start.
+  Box box(edge);
+  box.tracker.initFromPose(box.draw(truth), truth);
+  box.show(truth, 3);
+  const vpHomogeneousMatrix cMo = box.tracker.getPose();
+  check(box.tracker);
+  CHECK(isSame(box.tracker.getPose(), cMo));
+  CHECK(box.isTracking());
+  const vpHomogeneousMatrix next = displaced(truth, {0., 0., 1.}, 1., {0.002, 0., 0.});
+  box.show(next, 1);
+  CHECK(box.isTracking());
+  CHECK(box.isRight(next));
+}
+
+TEST_CASE("Hints that cannot be are refused with an exception that says why, and the hint before stays", "[rough]")
+{
+  const vpHomogeneousMatrix jumped = displaced(truth, {0.3, 1., 0.2}, 70., {-0.08, 0.04, 0.05});
+  const vpHomogeneousMatrix hint = displaced(jumped, {0., 0., 1.}, 4., {0.005, 0., 0.});
+  Box box(edge);
+  box.tracker.initFromPose(box.draw(truth), truth);
+  box.show(truth, 3);
+  box.tracker.setPoseHint(hint);
+  CHECK_THROWS_WITH(box.tracker.setPoseHint(notANumber()), ContainsSubstring("finite"));
+  CHECK_THROWS_WITH(box.tracker.setPoseHint(behind()), ContainsSubstring("behind the camera"));
+  CHECK_THROWS_WITH(box.tracker.setPoseHint(truth, deviation(-1.)), ContainsSubstring("deviation of the rotation"));
+  CHECK_THROWS_WITH(vpMbMultiCueTracker().setPoseHint(truth), ContainsSubstring("loadModel"));
+  box.show(jumped, 1);
+  CHECK(box.isRight(jumped)); // As without a hint it is not.
 }
