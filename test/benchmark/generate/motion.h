@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 #ifdef ENABLE_VISP_NAMESPACE
@@ -32,56 +34,55 @@ SceneCamera makeSceneCamera(unsigned int width, unsigned int height);
 //! What a motion has to keep to.
 struct MotionSettings
 {
+  std::string kind = "smooth";         //!< One of motionNames(), or the path of a file with poses in RBOT's format.
+  double scale = 1.;                   //!< Multiplies the motion from frame to frame, > 0.
   std::vector<Eigen::Vector3d> points; //!< Vertices, object frame, metres.
   double pixelDiameter = 225.;         //!< Mean size of the diameter in the image, pixels at 640 x 480.
   bool frontOnly = false;              //!< The z axis stays within 60 degrees of the line of sight.
   bool exits = false;                  //!< Leaves the image about every 100 frames.
   int frames = 300;
-  std::uint64_t seed = 1; //!< Of this object's motion.
+  std::uint64_t seed = 1;   //!< Of this object's motion.
+  bool fitsDistance = true; //!< Poses of a file are moved away or nearer, so that the object has pixelDiameter.
 };
 
-/*!
-  A smooth random motion of all six degrees of freedom, whose points move by 4 to 8 pixels (at 640 x 480) between frames
-  on average.
-
-  The path is a sum of sinusoids of a parameter; the parameter is then chosen frame by frame so that the points move as
-  far as they shall.
-*/
+//! Where the object is, and how the camera is turned, at any time.
 class Motion
 {
 public:
-  Motion(const SceneCamera &camera, const MotionSettings &settings);
+  virtual ~Motion() = default;
 
   //! Pose at a time in frames, in [-1, frames]; a frame's image is taken at the time that is its number.
-  vpHomogeneousMatrix pose(double time) const;
+  virtual vpHomogeneousMatrix pose(double time) const = 0;
 
-private:
-  struct Wave
-  {
-    double frequency = 1.;
-    double phase = 0.;
-    double at(double parameter) const;
-  };
-
-  vpHomogeneousMatrix poseAt(double parameter) const;
-  Eigen::Matrix3d rotationAt(double parameter) const;
-  Eigen::Vector2d placeAt(double parameter, double distance) const;
-  double distanceAt(double parameter) const;
-  double reachOf(int crossing) const;
-  void project(const vpHomogeneousMatrix &cMo, std::vector<Eigen::Vector2d> &pixels) const;
-  double nextParameter(double parameter, double pixels) const;
-  void chooseParameters();
-
-  SceneCamera m_camera;
-  MotionSettings m_settings;
-  std::vector<Eigen::Vector3d> m_points; //!< A part of the points that stands for all.
-  Eigen::Vector3d m_centre = Eigen::Vector3d::Zero();
-  double m_radius = 0.;   //!< Of the sphere about the centre that holds all points, metres.
-  double m_diameter = 0.; //!< Metres.
-  Wave m_yaw, m_pitch, m_roll, m_column, m_row, m_size, m_speed, m_speed2;
-  double m_firstYaw = 0.;
-  std::vector<double> m_parameters; //!< Of the times -3, -2, ..., frames + 2.
+  //! Turn of the camera against a background that is far away: it is seen in direction R d in place of d. Contained in
+  //! pose().
+  virtual Eigen::Matrix3d backgroundTurn(double time) const;
 };
+
+//! "smooth", "handheld" and "shaken-camera".
+std::vector<std::string> motionNames();
+
+/*!
+  \return The motion of settings.kind.
+  \throw vpException where there is no such motion, its file cannot be read or has too few poses, or it cannot be as
+  strong as settings.scale wants it.
+*/
+std::unique_ptr<Motion> makeMotion(const SceneCamera &camera, const MotionSettings &settings);
+
+//! An object's extent, and a part of its points that stands for all.
+struct MotionExtent
+{
+  explicit MotionExtent(const std::vector<Eigen::Vector3d> &points);
+
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.;   //!< Of the sphere about the centre that holds all points, metres.
+  double diameter = 0.; //!< Metres.
+  std::vector<Eigen::Vector3d> points;
+};
+
+//! The pose with this rotation that has the object's \e centre at a \e place in the camera's frame, metres.
+vpHomogeneousMatrix poseAround(const Eigen::Vector3d &centre, const Eigen::Matrix3d &rotation,
+                               const Eigen::Vector3d &place);
 
 } // namespace bench
 #endif

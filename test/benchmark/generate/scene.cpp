@@ -83,7 +83,7 @@ Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSce
   checkOptions(options);
   m_synthetic = makeObject(options.object, options.seed, options.unit);
   m_object = writeAndLoad(options.dataset, m_synthetic);
-  m_motion = std::make_unique<Motion>(m_camera, motionOf(options, m_synthetic, *m_object.model));
+  m_motion = makeMotion(m_camera, motionOf(options, m_synthetic, *m_object.model));
   const std::string suits = m_synthetic.inSpace ? "space" : "photo";
   m_background = std::make_unique<Background>(options.background.empty() ? suits : options.background, m_camera,
                                               options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
