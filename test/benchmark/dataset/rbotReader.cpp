@@ -17,14 +17,23 @@ const char *const cameraName = "camera_calibration.txt";
 const char *const posesName = "poses_first.txt";
 const std::size_t digits = 4; // Of the images' numbers.
 
-// Numbers of all lines but the first, which has titles.
+// True for a line that does not begin with a number.
+bool isTitle(const std::string &line)
+{
+  double number = 0.;
+  return !(std::istringstream(line) >> number);
+}
+
+// Numbers of all lines but the first, if that has titles.
 std::vector<std::vector<double>> readTable(const fs::path &file)
 {
   std::istringstream text(readText(file));
   std::string line;
-  std::getline(text, line);
   std::vector<std::vector<double>> rows;
-  for (int number = 2; std::getline(text, line); ++number) {
+  for (int number = 1; std::getline(text, line); ++number) {
+    if (number == 1 && isTitle(line)) {
+      continue;
+    }
     std::vector<double> row = parseNumbers(line, inQuotes(file) + ", line " + std::to_string(number));
     if (!row.empty()) {
       rows.push_back(std::move(row));
@@ -111,6 +120,18 @@ std::vector<std::string> rbotReader::scenes(const std::string &dataset)
     }
   }
   return std::vector<std::string>(names.begin(), names.end());
+}
+
+std::vector<vpHomogeneousMatrix> rbotReader::readPoses(const std::string &file)
+{
+  std::vector<vpHomogeneousMatrix> poses;
+  for (const std::vector<double> &row : readTable(file)) {
+    poses.push_back(readPose(row, inQuotes(file) + ", pose " + std::to_string(poses.size())));
+  }
+  if (poses.size() < 2) {
+    fail(inQuotes(file) + " has fewer than two poses: a line of 12 numbers is needed for each");
+  }
+  return poses;
 }
 
 Sequence rbotReader::open(const std::string &dataset, const std::string &scene, int object)

@@ -34,6 +34,13 @@ bool isDataset(const std::string &dataset);
 //! Sorted; empty where there is none. \throw vpException naming the folder where it is missing.
 std::vector<std::string> scenes(const std::string &dataset);
 
+/*!
+  Poses of a file such as poses_first.txt; its line of titles may be missing.
+  \return cMo, metres; two at least.
+  \throw vpException naming the file that cannot be read, and the line that is no pose.
+*/
+std::vector<vpHomogeneousMatrix> readPoses(const std::string &file);
+
 //! \param scene One of scenes(). \param object 0 or 1. \throw vpException as openSequence().
 Sequence open(const std::string &dataset, const std::string &scene, int object);
 } // namespace rbotReader

@@ -64,6 +64,19 @@ void tint(cv::Mat &image, vpPoseRandom &random)
   }
   cv::multiply(image, factors, image);
 }
+
+//! From pixels of a turned camera to those of one that is not.
+cv::Matx33d turnedBack(const vpCameraParameters &cam, const Eigen::Matrix3d &turn)
+{
+  const cv::Matx33d K(cam.get_px(), 0., cam.get_u0(), 0., cam.get_py(), cam.get_v0(), 0., 0., 1.);
+  cv::Matx33d back;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      back(i, j) = turn(j, i);
+    }
+  }
+  return K * back * K.inv();
+}
 } // namespace
 
 cv::Mat openPhoto(std::uint64_t which)
@@ -104,7 +117,7 @@ Background::Background(const std::string &kind, const SceneCamera &camera, std::
   }
 }
 
-cv::Mat Background::at(double time) const
+cv::Mat Background::at(double time, const Eigen::Matrix3d &turn) const
 {
   const cv::Size size(static_cast<int>(m_camera.width), static_cast<int>(m_camera.height));
   if (m_picture.empty()) {
@@ -122,9 +135,14 @@ cv::Mat Background::at(double time) const
   const double roomY = std::max(0., m_picture.rows - zoom * size.height);
   const double left = startX * roomX + std::min(0.25 * roomX, 60.) * wave(211.);
   const double top = startY * roomY + std::min(0.25 * roomY, 45.) * wave(157.);
-  const cv::Matx23d map(zoom, 0., left, 0., zoom, top);
+  const cv::Matx33d map(zoom, 0., left, 0., zoom, top, 0., 0., 1.);
+  const int flags = cv::INTER_LINEAR | cv::WARP_INVERSE_MAP;
   cv::Mat seen;
-  cv::warpAffine(m_picture, seen, map, size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REFLECT);
+  if (turn.isIdentity(0.)) {
+    cv::warpAffine(m_picture, seen, map.get_minor<2, 3>(0, 0), size, flags, cv::BORDER_REFLECT);
+  } else {
+    cv::warpPerspective(m_picture, seen, map * turnedBack(m_camera.cam, turn), size, flags, cv::BORDER_REFLECT);
+  }
   cv::Mat result;
   seen.convertTo(result, CV_32FC3);
   return result;

@@ -21,8 +21,9 @@ public:
   */
   Background(const std::string &kind, const SceneCamera &camera, std::uint64_t seed);
 
-  //! The image at a time in frames: blue, green, red, gray levels, 32-bit floats.
-  cv::Mat at(double time) const;
+  //! \param time In frames. \param turn Of the camera: what is seen in direction d without it, is seen in turn * d.
+  //! \return The image: blue, green, red, gray levels, 32-bit floats.
+  cv::Mat at(double time, const Eigen::Matrix3d &turn) const;
 
 private:
   SceneCamera m_camera;

@@ -57,6 +57,12 @@ bool GenerateOptions::read(int argc, const char *const argv[])
                  [this](const std::string &value) { objects = expand("--object", value, objectNames(), true); });
   line.addSetter("--variant", "regular, light, noise, occlusion, blur, blackout, exit, or all; several with commas",
                  [this](const std::string &value) { variants = expand("--variant", value, variantNames(), false); });
+  line.add(
+      "--motion",
+      "smooth (4 to 8 pixels a frame), handheld (a hand swings the object: 10 pixels and 6 degrees), shaken-camera "
+      "(object and background together: 9 pixels), or a file with poses in RBOT's format; default smooth",
+      scene.motion);
+  line.add("--motion-scale", "multiplies the motion from frame to frame; default 1", scene.motionScale);
   line.add("--out", "folder of the data set", scene.dataset);
   line.add("--frames", "images of each sequence; default 300", scene.frames, 2);
   line.addSetter("--seed", "the same seed gives the same images; default 1",

@@ -7,18 +7,41 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <sstream>
 #include <thread>
 
 namespace bench {
 
+namespace {
+std::string stemOf(const std::string &file)
+{
+  const std::string name = file.substr(file.find_last_of("/\\") + 1);
+  return name.substr(0, name.find_last_of('.'));
+}
+
+bool contains(const std::vector<std::string> &names, const std::string &name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Such as "handheld" and "handheld2"; nothing for what is usual.
+std::string motionText(const SceneOptions &options)
+{
+  std::ostringstream text;
+  if (options.motion != "smooth" || options.motionScale != 1.) {
+    text << "_" << (contains(motionNames(), options.motion) ? options.motion : stemOf(options.motion));
+  }
+  if (options.motionScale != 1.) {
+    text << options.motionScale;
+  }
+  return text.str();
+}
+} // namespace
+
 std::string sceneName(const SceneOptions &options)
 {
-  const std::vector<std::string> names = objectNames();
-  if (std::find(names.begin(), names.end(), options.object) != names.end()) {
-    return options.object + "_" + options.variant;
-  }
-  std::string stem = options.object.substr(options.object.find_last_of("/\\") + 1);
-  return stem.substr(0, stem.find_last_of('.')) + "_" + options.variant;
+  const std::string object = contains(objectNames(), options.object) ? options.object : stemOf(options.object);
+  return object + motionText(options) + "_" + options.variant;
 }
 
 std::vector<BopFrame> generateScene(const SceneOptions &options, const std::function<void(int)> &progress)

@@ -2,9 +2,11 @@
 #include "generate/motion.h"
 
 #include "dataset/checkedGeometry.h"
-#include "generate/smoothMotion.h"
+#include "generate/handMotion.h"
+#include "generate/recordedMotion.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/core/vpIoTools.h>
 
 #include <algorithm>
 
@@ -63,9 +65,48 @@ Eigen::Matrix3d Motion::backgroundTurn(double) const
   return Eigen::Matrix3d::Identity();
 }
 
+std::vector<std::string> motionNames()
+{
+  return {"smooth", "handheld", "shaken-camera"};
+}
+
+namespace {
+void check(const MotionSettings &settings)
+{
+  if (!(settings.scale > 0. && settings.scale <= 10.)) {
+    throw vpException(vpException::badValue, "--motion-scale: %g is not above 0 and at most 10", settings.scale);
+  }
+  if (settings.exits && settings.kind != "smooth") {
+    throw vpException(vpException::badValue,
+                      "the variant 'exit' has a motion of its own: leave --motion %s out, or take other variants",
+                      settings.kind.c_str());
+  }
+}
+} // namespace
+
 std::unique_ptr<Motion> makeMotion(const SceneCamera &camera, const MotionSettings &settings)
 {
-  return std::make_unique<SmoothMotion>(camera, settings);
+  check(settings);
+  if (settings.kind == "smooth") {
+    return std::make_unique<SmoothMotion>(camera, settings);
+  }
+  if (settings.kind == "handheld") {
+    return std::make_unique<HandheldMotion>(camera, settings);
+  }
+  if (settings.kind == "shaken-camera") {
+    return std::make_unique<ShakenCameraMotion>(camera, settings);
+  }
+  if (!vpIoTools::checkFilename(settings.kind)) {
+    throw vpException(vpException::badValue,
+                      "--motion: '%s' is neither smooth, handheld or shaken-camera, nor a file that is there",
+                      settings.kind.c_str());
+  }
+  if (settings.frontOnly) {
+    throw vpException(vpException::badValue,
+                      "poses of '%s' would show the back of an object that has only a front: give --motion handheld",
+                      settings.kind.c_str());
+  }
+  return std::make_unique<RecordedMotion>(camera, settings);
 }
 
 } // namespace bench

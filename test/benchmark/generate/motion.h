@@ -42,6 +42,7 @@ struct MotionSettings
   bool exits = false;                  //!< Leaves the image about every 100 frames.
   int frames = 300;
   std::uint64_t seed = 1;   //!< Of this object's motion.
+  double margin = 6.;       //!< Of the image, into which the object does not come; pixels at 640 x 480.
   bool fitsDistance = true; //!< Poses of a file are moved away or nearer, so that the object has pixelDiameter.
 };
 

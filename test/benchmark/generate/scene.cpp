@@ -38,9 +38,18 @@ void checkOptions(const SceneOptions &options)
   }
 }
 
+bool isGenerated(const std::string &object)
+{
+  const std::vector<std::string> names = objectNames();
+  return std::find(names.begin(), names.end(), object) != names.end();
+}
+
 MotionSettings motionOf(const SceneOptions &options, const SyntheticObject &object, const vpTrackedModel &model)
 {
   MotionSettings settings;
+  settings.kind = options.motion;
+  settings.scale = options.motionScale;
+  settings.fitsDistance = isGenerated(options.object);
   settings.points = model.vertices();
   settings.pixelDiameter = object.pixelDiameter;
   settings.frontOnly = object.frontOnly;
@@ -131,7 +140,7 @@ cv::Mat Scene::renderInstant(double time, int samples, ObjectRenderer &renderer,
   ImageLayer object;
   const Light light = lightAt(m_synthetic, m_options.variant == "light", time, m_options.seed);
   renderer.render(m_motion->pose(time), light, samples, object);
-  cv::Mat image = m_background->at(time);
+  cv::Mat image = m_background->at(time, m_motion->backgroundTurn(time));
   compose(object, image);
   cv::Mat hidden = cv::Mat::zeros(image.size(), CV_32F);
   if (m_foreground) {
@@ -146,7 +155,7 @@ cv::Mat Scene::renderInstant(double time, int samples, ObjectRenderer &renderer,
 cv::Mat Scene::renderExposure(double time, ObjectRenderer &renderer) const
 {
   // The background moves by less than a pixel meanwhile, so the means of colour and coverage are all that is needed.
-  cv::Mat image = m_background->at(time);
+  cv::Mat image = m_background->at(time, m_motion->backgroundTurn(time));
   ImageLayer mean;
   mean.area = cv::Rect(cv::Point(0, 0), image.size());
   mean.color = cv::Mat::zeros(image.size(), CV_32FC3);

@@ -15,6 +15,8 @@ struct SceneOptions
 {
   std::string object = "box";      //!< One of objectNames(), or the path of a mesh.
   std::string variant = "regular"; //!< One of variantNames().
+  std::string motion = "smooth";   //!< One of motionNames(), or the path of a file with poses in RBOT's format.
+  double motionScale = 1.;         //!< Multiplies the motion from frame to frame.
   int frames = 300;
   std::uint64_t seed = 1; //!< The same one gives the same bytes.
   std::string dataset;    //!< Folder of the data set; made where it is missing.
@@ -32,7 +34,7 @@ struct SceneOptions
 */
 std::vector<std::string> variantNames();
 
-//! Name of a scene's folder: <object>_<variant>.
+//! Name of a scene's folder: <object>_<variant>, or <object>_<motion>_<variant> where the motion is not smooth.
 std::string sceneName(const SceneOptions &options);
 
 /*!
@@ -48,6 +50,7 @@ public:
   const SceneCamera &camera() const { return m_camera; }
   const LoadedObject &object() const { return m_object; }
   int objectId() const { return m_synthetic.id; }
+  const Motion &motion() const { return *m_motion; }
   //! True pose of a frame: that of the middle of its exposure.
   vpHomogeneousMatrix pose(int frame) const { return m_motion->pose(frame); }
 

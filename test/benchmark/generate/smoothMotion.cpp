@@ -67,7 +67,7 @@ Eigen::Matrix3d SmoothMotion::rotationAt(double parameter) const
 Eigen::Vector2d SmoothMotion::placeAt(double parameter, double distance) const
 {
   const double focal = m_camera.cam.get_px();
-  const double extent = focal * m_extent.radius / (distance - m_extent.radius) + 6. * m_camera.scale();
+  const double extent = focal * m_extent.radius / (distance - m_extent.radius) + m_settings.margin * m_camera.scale();
   const double column = std::max(0., m_camera.width / 2. - extent) * m_column.at(parameter);
   if (!m_settings.exits) {
     return {column, std::max(0., m_camera.height / 2. - extent) * m_row.at(parameter)};
