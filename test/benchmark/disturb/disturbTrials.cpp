@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "disturb/disturbTrials.h"
 
+#include "evaluate/startPoses.h"
+
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpTime.h>
 #include <visp3/se3/vpPoseExponential.h>
@@ -14,9 +16,6 @@ namespace {
 // Images that are tracked before one is shifted.
 const std::size_t framesBefore = 10;
 const int directions = 8;
-const unsigned int bisections = 40;
-// Longest motion that is tried for an offset: in diameters, and radians.
-const double longest = 1.;
 // No motion shifts an image exactly: the best pose in it is off by so many times more.
 const double shiftedFactor = 3.;
 
@@ -71,28 +70,6 @@ double DisturbCount::medianStartMs() const
 DisturbTrials::DisturbTrials(const DisturbOptions &options, const Footage &footage)
     : m_options(options), m_footage(footage), m_measure(footage.object, *footage.model)
 {
-}
-
-// In a random direction of all six motions, as far as moves the model's points by so many pixels.
-vpHomogeneousMatrix DisturbTrials::displaced(const vpHomogeneousMatrix &cMo, double pixels, vpPoseRandom &random) const
-{
-  vpPoseTangent direction = random.normalTangent();
-  direction.head<3>() *= m_footage.model->diameter();
-  const Eigen::Vector3d centre = m_footage.model->centre();
-  Eigen::Isometry3d toCentre = Eigen::Isometry3d::Identity();
-  toCentre.translation() = centre;
-  const Eigen::Isometry3d pose = vpPoseExponential::toEigen(cMo) * toCentre;
-  const auto moved = [&](double length) {
-    const vpHomogeneousMatrix motion = vpPoseExponential::exp(length * direction);
-    return vpPoseExponential::fromEigen(pose * vpPoseExponential::toEigen(motion) * toCentre.inverse());
-  };
-  double low = 0.;
-  double high = longest;
-  for (unsigned int i = 0; i < bisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (m_measure(moved(middle), cMo, m_footage.cam).pixels < pixels ? low : high) = middle;
-  }
-  return moved(low);
 }
 
 // A frame from which on as many show the object.
@@ -162,7 +139,8 @@ DisturbCount DisturbTrials::starts(const std::string &tracker, int offset) const
     vpPoseRandom random(static_cast<std::uint64_t>(m_options.seed),
                         {static_cast<std::uint64_t>(trial), static_cast<std::uint64_t>(offset)});
     const std::size_t frame = pick(length, random);
-    const vpHomogeneousMatrix start = displaced(m_footage.truth[frame], offset, random);
+    const vpHomogeneousMatrix start =
+        offBy(offset, m_footage.truth[frame], *m_footage.model, m_measure, m_footage.cam, random);
     count.startMs.push_back(timed([&] { following->init(m_footage.images[frame], start); }));
     for (std::size_t i = 0; i < length; ++i) {
       const double ms = timed([&] { following->track(m_footage.images[frame + i]); });

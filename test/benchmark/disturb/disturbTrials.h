@@ -46,7 +46,6 @@ private:
   };
 
   void runShift(BenchTracker &tracker, std::size_t first, const Shift &by, DisturbCount &count) const;
-  vpHomogeneousMatrix displaced(const vpHomogeneousMatrix &cMo, double pixels, vpPoseRandom &random) const;
   std::size_t pick(std::size_t length, vpPoseRandom &random) const;
   double pixelsOff(const vpHomogeneousMatrix &cMo, std::size_t frame, const Shift &shift) const;
   void judge(const TrackerAnswer &answer, std::size_t frame, const Shift &shift, DisturbCount &count) const;

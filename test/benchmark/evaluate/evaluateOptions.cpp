@@ -11,6 +11,9 @@
 namespace bench {
 
 namespace {
+// A start that is farther off has nothing to do with the object.
+const double mostStartError = 200.;
+
 std::string allTrackers()
 {
   std::string text;
@@ -38,6 +41,10 @@ bool EvaluateOptions::read(int argc, const char *const argv[])
   line.add("--config", "ViSP's XML or our JSON file, for all trackers", config);
   line.add("--threads", "threads of a tracker; default 1", threads, 1);
   line.add("--jobs", "runs side by side; times are then less exact; default 1", jobs, 1);
+  line.add("--start-error",
+           "how far off starts are, those after failures too, pixels in the mean over the model's points; default 0",
+           start.pixels);
+  line.add("--seed", "of the directions of --start-error; default 1", start.seed, 0);
   line.add("--frames", "only that many frames of each scene", frames, 2);
   line.add("--resume", "keep the runs that an earlier call with the same options finished", resume);
   line.add("--out", "folder of the results, made where it is missing", out);
@@ -83,6 +90,10 @@ void EvaluateOptions::check() const
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw vpException(vpException::badValue, "--tracker: '%s' is not one of %s", name.c_str(), allTrackers().c_str());
     }
+  }
+  if (!(start.pixels >= 0. && start.pixels < mostStartError)) {
+    throw vpException(vpException::badValue, "--start-error: %g is not from 0 to %g pixels", start.pixels,
+                      mostStartError);
   }
   if (*std::min_element(steps.begin(), steps.end()) < 1) {
     throw vpException(vpException::badValue, "--step: steps are 1 or more");

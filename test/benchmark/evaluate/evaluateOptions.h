@@ -4,6 +4,7 @@
 
 #include "dataset/sequence.h"
 #include "evaluate/protocol.h"
+#include "evaluate/startPoses.h"
 
 namespace bench {
 
@@ -20,6 +21,7 @@ struct EvaluateOptions
   std::string config;
   int threads = 1;
   int jobs = 1;
+  StartPoses start;
   int frames = 0; //!< Of each sequence; 0: all.
   bool resume = false;
   std::string out;

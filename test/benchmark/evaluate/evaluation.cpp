@@ -98,7 +98,11 @@ public:
     std::ostringstream text;
     text << (m_options.hasRecording() ? m_options.recording.images : vpIoTools::getAbsolutePathname(m_options.dataset))
          << " object " << m_sequence.object.id << ", " << m_sequence.frames.size() << " frames, " << m_options.threads
-         << " threads, config " << m_configText;
+         << " threads, ";
+    if (m_options.start.pixels > 0.) {
+      text << "starts " << m_options.start.pixels << " px off, seed " << m_options.start.seed << ", ";
+    }
+    text << "config " << m_configText;
     return text.str();
   }
 
@@ -127,11 +131,14 @@ public:
     setThreads(m_options.threads);
     ImageStore images(m_sequence);
     const PoseErrorMeasure measure(m_sequence.object, model);
+    const StartPose start = [&](const SequenceFrame &frame) {
+      return m_options.start.at(m_sequence.scene, frame, model, measure);
+    };
     for (const RunKey &key : runs) {
       const std::unique_ptr<BenchTracker> tracker =
           makeTracker(m_tracker, m_sequence.object, m_sequence.frames.front().cam, m_options.config);
       RunResult run;
-      run.records = runProtocol(m_sequence, images, *tracker, measure, key.protocol, key.step, oneMore);
+      run.records = runProtocol(m_sequence, images, *tracker, measure, key.protocol, key.step, oneMore, start);
       run.summary = summarise(key, run.records, m_sequence.object.diameter, measure.isSymmetric(), tracker->stages());
       writeRun(folder(), run, fingerprint());
     }

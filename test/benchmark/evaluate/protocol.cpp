@@ -29,11 +29,16 @@ void judge(const SequenceFrame &frame, const PoseErrorMeasure &measure, const Li
   record.right = record.error.translation < limits.rightTranslation && record.error.rotation < limits.rightRotation;
 }
 
-// A truth that a tracker refuses (partly behind the camera, for instance) leaves it where it is.
-bool restart(BenchTracker &tracker, const BenchImage &I, const vpHomogeneousMatrix &truth)
+vpHomogeneousMatrix startOf(const SequenceFrame &frame, const StartPose &startPose)
+{
+  return startPose ? startPose(frame) : frame.cMo;
+}
+
+// A pose that a tracker refuses (partly behind the camera, for instance) leaves it where it is.
+bool restart(BenchTracker &tracker, const BenchImage &I, const vpHomogeneousMatrix &cMo)
 {
   try {
-    tracker.init(I, truth);
+    tracker.init(I, cMo);
     return true;
   } catch (const vpException &) {
     return false;
@@ -59,12 +64,12 @@ std::size_t trackedFrames(const Sequence &sequence, int step)
 
 std::vector<FrameRecord> runProtocol(const Sequence &sequence, ImageStore &images, BenchTracker &tracker,
                                      const PoseErrorMeasure &measure, Protocol protocol, int step,
-                                     const std::function<void()> &progress)
+                                     const std::function<void()> &progress, const StartPose &startPose)
 {
   const Limits limits(sequence.object.diameter);
   BenchImage I;
   images.get(0, I);
-  tracker.init(I, sequence.frames.front().cMo);
+  tracker.init(I, startOf(sequence.frames.front(), startPose));
 
   std::vector<FrameRecord> records(trackedFrames(sequence, step));
   std::size_t index = 0;
@@ -77,7 +82,7 @@ std::vector<FrameRecord> runProtocol(const Sequence &sequence, ImageStore &image
     record.answer = tracker.answer();
     judge(frame, measure, limits, record);
     if (protocol == Protocol::RBOT && record.counted && !record.success) {
-      record.reset = restart(tracker, I, frame.cMo);
+      record.reset = restart(tracker, I, startOf(frame, startPose));
     }
     progress();
   }

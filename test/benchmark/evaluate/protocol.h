@@ -13,7 +13,7 @@ namespace bench {
 //! How a tracker is run over a sequence.
 enum class Protocol
 {
-  RBOT, //!< After a failure the tracker is started again at the truth of that frame.
+  RBOT, //!< After a failure the tracker is started again at the truth of that frame, or near it.
   RUN   //!< Started once, at the first frame.
 };
 
@@ -39,7 +39,7 @@ struct FrameRecord
 {
   int frame = 0; //!< SequenceFrame::id.
   double ms = 0.;
-  bool reset = false; //!< Started again at this frame's truth, after it was tracked.
+  bool reset = false; //!< Started again in this frame, after it was tracked.
   TrackerAnswer answer;
   bool known = false;   //!< It has a truth.
   bool counted = false; //!< It has a truth, and shows enough of the object.
@@ -48,15 +48,19 @@ struct FrameRecord
   PoseError error;      //!< Where it has a truth.
 };
 
+//! Where a tracker is started in a frame with truth.
+using StartPose = std::function<vpHomogeneousMatrix(const SequenceFrame &)>;
+
 /*!
   Runs a tracker over every \e step -th frame. The first frame starts the tracker and is no record.
   \param tracker Any state; it is started anew.
   \param progress Called after each frame.
+  \param startPose Of all starts; none: they are at the truth.
   \throw vpException naming the image that cannot be read; nothing else.
 */
 std::vector<FrameRecord> runProtocol(const Sequence &sequence, ImageStore &images, BenchTracker &tracker,
                                      const PoseErrorMeasure &measure, Protocol protocol, int step,
-                                     const std::function<void()> &progress);
+                                     const std::function<void()> &progress, const StartPose &startPose = nullptr);
 
 //! Number of frames that runProtocol() tracks.
 std::size_t trackedFrames(const Sequence &sequence, int step);

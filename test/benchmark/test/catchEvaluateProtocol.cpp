@@ -2,6 +2,7 @@
 #include <catchMain.h>
 
 #include "evaluate/protocol.h"
+#include "evaluate/startPoses.h"
 
 #include <meshFiles.h>
 
@@ -21,6 +22,7 @@ public:
   void init(const bench::BenchImage &, const vpHomogeneousMatrix &cMo) override
   {
     m_start = cMo;
+    startPoses.push_back(cMo);
     m_shift = 0.;
     ++starts;
   }
@@ -39,6 +41,7 @@ public:
   }
 
   int starts = 0;
+  std::vector<vpHomogeneousMatrix> startPoses;
 
 private:
   vpHomogeneousMatrix m_start;
@@ -93,6 +96,33 @@ TEST_CASE("Protocol rbot starts the tracker again after each failure", "[evaluat
     CHECK(records[i].right == (i % 3 == 0)); // Within 20 mm, a tenth of the diameter.
   }
   CHECK(tracker.starts == 4);
+}
+
+TEST_CASE("Starts are as many pixels off as asked for, after failures too, and the same for the same seed",
+          "[evaluate]")
+{
+  const meshFiles::TemporaryFolder folder;
+  const bench::Sequence sequence = still(folder, 10);
+  const vpTrackedModel model = square();
+  const bench::PoseErrorMeasure measure(sequence.object, model);
+  const auto startsWith = [&](double pixels, int seed) {
+    const bench::StartPoses poses{pixels, seed};
+    bench::ImageStore images(sequence);
+    DriftingTracker tracker;
+    bench::runProtocol(
+        sequence, images, tracker, measure, Protocol::RBOT, 1, [] {},
+        [&](const bench::SequenceFrame &frame) { return poses.at("still", frame, model, measure); });
+    return tracker.startPoses;
+  };
+  const std::vector<vpHomogeneousMatrix> starts = startsWith(1.5, 1);
+  REQUIRE(starts.size() > 2);
+  for (const vpHomogeneousMatrix &cMo : starts) {
+    CHECK(measure(cMo, sequence.frames[0].cMo, sequence.frames[0].cam).pixels == Approx(1.5).margin(1e-3));
+  }
+  CHECK(starts[1][0][3] != starts[0][0][3]);
+  CHECK(startsWith(1.5, 1).front()[0][3] == starts.front()[0][3]);
+  CHECK(startsWith(1.5, 2).front()[0][3] != starts.front()[0][3]);
+  CHECK(startsWith(0., 1).front()[0][3] == sequence.frames[0].cMo[0][3]);
 }
 
 TEST_CASE("Protocol run starts the tracker once", "[evaluate]")

@@ -164,7 +164,15 @@ TEST_CASE("A resumed evaluation keeps what is there", "[evaluate]")
   CHECK(fs::last_write_time(file) == written);
   CHECK(second.runs[0].summary.msMedian == first.runs[0].summary.msMedian);
 
-  options.threads = 2; // Another question.
+  // Another question.
+  SECTION("threads")
+  {
+    options.threads = 2;
+  }
+  SECTION("starts")
+  {
+    options.start.pixels = 4.;
+  }
   bench::evaluate(options);
   CHECK(fs::last_write_time(file) != written);
 }

@@ -78,7 +78,7 @@ TEST_CASE("The options are read", "[evaluate]")
 {
   bench::EvaluateOptions options;
   REQUIRE(read({"--dataset", "d", "--scene", "a,b", "--tracker", "edge,visp-edge", "--protocol", "both", "--step",
-                "1,2,4", "--jobs", "2", "--resume", "--out", "o"},
+                "1,2,4", "--jobs", "2", "--resume", "--start-error", "6.5", "--seed", "4", "--out", "o"},
                options));
   CHECK(options.scenes == std::vector<std::string>{"a", "b"});
   CHECK(options.trackers == std::vector<std::string>{"edge", "visp-edge"});
@@ -86,6 +86,8 @@ TEST_CASE("The options are read", "[evaluate]")
   CHECK(options.steps == std::vector<int>{1, 2, 4});
   CHECK(options.jobs == 2);
   CHECK(options.resume);
+  CHECK(options.start.pixels == 6.5);
+  CHECK(options.start.seed == 4);
 }
 
 TEST_CASE("Wrong options are named", "[evaluate]")
@@ -99,6 +101,8 @@ TEST_CASE("Wrong options are named", "[evaluate]")
   CHECK(
       complaint({"--dataset", "d", "--scene", "s", "--out", "o", "--tracker", "edge", "--step", "0"}).find("--step") !=
       std::string::npos);
+  CHECK(complaint({"--dataset", "d", "--scene", "s", "--out", "o", "--tracker", "edge", "--start-error", "-2"})
+            .find("--start-error: -2") != std::string::npos);
   CHECK(complaint({"--step", "1,x"}).find("'x'") != std::string::npos);
   CHECK(complaint({"--protocol", "fair", "--dataset", "d", "--scene", "s"}).find("'fair'") != std::string::npos);
   CHECK(complaint({"--jobs", "0"}).find("--jobs") != std::string::npos);
