@@ -55,7 +55,8 @@ bool GenerateOptions::read(int argc, const char *const argv[])
                    "multicue-generate --object LIST --variant LIST --out DIR");
   line.addSetter("--object", "box, bands, window, satellite, figurine, the path of a mesh, or all; several with commas",
                  [this](const std::string &value) { objects = expand("--object", value, objectNames(), true); });
-  line.addSetter("--variant", "regular, light, noise, occlusion, blur, blackout, exit, or all; several with commas",
+  line.addSetter("--variant",
+                 "regular, light, noise, occlusion, blur, blackout, exit, webcam, or all; several with commas",
                  [this](const std::string &value) { variants = expand("--variant", value, variantNames(), false); });
   line.add(
       "--motion",
@@ -63,6 +64,11 @@ bool GenerateOptions::read(int argc, const char *const argv[])
       "(object and background together: 9 pixels), or a file with poses in RBOT's format; default smooth",
       scene.motion);
   line.add("--motion-scale", "multiplies the motion from frame to frame; default 1", scene.motionScale);
+  line.addSetter(
+      "--effects",
+      "what the variant webcam has, for any variant: rolling-shutter, exposure, drift, vignetting, defocus, "
+      "noise, bayer, jpeg, highlights, soft-shadows, or all; several with commas",
+      [this](const std::string &value) { scene.effects = expand("--effects", value, effectNames(), false); });
   line.add("--out", "folder of the data set", scene.dataset);
   line.add("--frames", "images of each sequence; default 300", scene.frames, 2);
   line.addSetter("--seed", "the same seed gives the same images; default 1",

@@ -36,12 +36,28 @@ std::string motionText(const SceneOptions &options)
   }
   return text.str();
 }
+
+// Their names; "webcam" for all of them.
+std::string effectText(const SceneOptions &options)
+{
+  if (options.effects.empty()) {
+    return "";
+  }
+  if (options.effects.size() == effectNames().size()) {
+    return "_webcam";
+  }
+  std::string text;
+  for (const std::string &effect : options.effects) {
+    text += (text.empty() ? "_" : "+") + effect;
+  }
+  return text;
+}
 } // namespace
 
 std::string sceneName(const SceneOptions &options)
 {
   const std::string object = contains(objectNames(), options.object) ? options.object : stemOf(options.object);
-  return object + motionText(options) + "_" + options.variant;
+  return object + motionText(options) + effectText(options) + "_" + options.variant;
 }
 
 std::vector<BopFrame> generateScene(const SceneOptions &options, const std::function<void(int)> &progress)

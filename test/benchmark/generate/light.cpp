@@ -9,6 +9,9 @@
 
 namespace bench {
 namespace {
+// Of a lamp of 30 cm that is 1.5 m away, over its distance.
+const double lampRadius = 0.1;
+
 //! A number in [-1, 1] that belongs to a grid cell.
 float cellNumber(int x, int y, int z, unsigned int which)
 {
@@ -73,6 +76,19 @@ Light lightAt(const SyntheticObject &object, bool moves, double time, std::uint6
   light.gain = static_cast<float>(0.92 + 0.33 * wave(43.));
   light.contrast = static_cast<float>(0.9 + 0.2 * wave(61.));
   return light;
+}
+
+Light lampPoint(const Light &light, int instant)
+{
+  // A disc filled in a spiral with the golden angle.
+  const double radius = lampRadius * std::sqrt(std::fmod(0.5 + 0.618034 * instant, 1.));
+  const double angle = 2.399963 * instant;
+  const Eigen::Vector3d across = light.toLight.unitOrthogonal();
+  const Eigen::Vector3d along = light.toLight.cross(across);
+  Light moved = light;
+  moved.toLight += radius * (std::cos(angle) * across + std::sin(angle) * along);
+  moved.toLight.normalize();
+  return moved;
 }
 
 Eigen::Vector3f shade(const SurfacePoint &point, const SurfaceMaterial &material, const Light &light,

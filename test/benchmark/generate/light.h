@@ -25,6 +25,13 @@ struct Light
 */
 Light lightAt(const SyntheticObject &object, bool moves, double time, std::uint64_t seed);
 
+/*!
+  A light of some extent, seen at many instants, makes soft shadows.
+  \param instant Counts them; a few that follow one another are spread over the whole light.
+  \return \e light from another point of a lamp.
+*/
+Light lampPoint(const Light &light, int instant);
+
 //! A surface point that is to be shaded.
 struct SurfacePoint
 {

@@ -2,6 +2,7 @@
 #include "generate/scene.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpPoseExponential.h>
 #include <visp3/se3/vpPoseRandom.h>
 
 #include <opencv2/imgproc.hpp>
@@ -59,6 +60,13 @@ MotionSettings motionOf(const SceneOptions &options, const SyntheticObject &obje
   return settings;
 }
 
+//! Lacquered cardboard and plastic: a highlight that is nearly white.
+void polish(SurfaceMaterial &material)
+{
+  material.specular = std::max(material.specular, 0.5F);
+  material.shininess = std::max(material.shininess, 40.F);
+}
+
 BopBox boundingBox(const cv::Mat &mask, const cv::Point &origin)
 {
   const cv::Rect box = cv::boundingRect(mask);
@@ -84,7 +92,7 @@ void compose(const ImageLayer &layer, cv::Mat &image)
 
 std::vector<std::string> variantNames()
 {
-  return {"regular", "light", "noise", "occlusion", "blur", "blackout", "exit"};
+  return {"regular", "light", "noise", "occlusion", "blur", "blackout", "exit", "webcam"};
 }
 
 Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSceneCamera(options.width, options.height))
@@ -96,6 +104,16 @@ Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSce
   const std::string suits = m_synthetic.inSpace ? "space" : "photo";
   m_background = std::make_unique<Background>(options.background.empty() ? suits : options.background, m_camera,
                                               options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
+  m_webcam = std::make_unique<Webcam>(options.variant == "webcam" ? effectNames() : options.effects, m_camera,
+                                      options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
+  if (options.variant == "blur" && m_webcam->hasShutter()) {
+    throw vpException(vpException::badValue,
+                      "the variant 'blur' has a shutter of its own: leave the effects rolling-shutter, exposure and "
+                      "soft-shadows out, or take the variant 'regular'");
+  }
+  if (m_webcam->has("highlights")) {
+    std::for_each(m_object.materials.begin(), m_object.materials.end(), polish);
+  }
   planForeground();
   if (options.variant == "noise") {
     vpPoseRandom random(options.seed, {0x6e6f697365});
@@ -113,7 +131,7 @@ void Scene::planForeground()
   std::vector<ImageLayer> layers(static_cast<std::size_t>(m_options.frames));
   ObjectRenderer renderer = makeRenderer();
   for (int frame = 0; frame < m_options.frames; ++frame) {
-    renderer.render(pose(frame), Light(), 1, layers[static_cast<std::size_t>(frame)]);
+    renderer.render(m_motion->pose(frame), Light(), 1, layers[static_cast<std::size_t>(frame)]);
     layers[static_cast<std::size_t>(frame)].color.release();
   }
   m_foreground = board ? makeBoard(m_camera, layers, m_options.seed) : makeOccluder(m_camera, layers, m_options.seed);
@@ -135,10 +153,16 @@ void Scene::fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame 
   truth.boxVisible = boundingBox(seen, object.area.tl());
 }
 
-cv::Mat Scene::renderInstant(double time, int samples, ObjectRenderer &renderer, BopFrame *truth) const
+Light Scene::lightOf(double time, int instant) const
+{
+  const Light light = lightAt(m_synthetic, m_options.variant == "light", time, m_options.seed);
+  return m_webcam->has("soft-shadows") ? lampPoint(light, instant) : light;
+}
+
+cv::Mat Scene::renderInstant(double time, int samples, const Light &light, ObjectRenderer &renderer,
+                             BopFrame *truth) const
 {
   ImageLayer object;
-  const Light light = lightAt(m_synthetic, m_options.variant == "light", time, m_options.seed);
   renderer.render(m_motion->pose(time), light, samples, object);
   cv::Mat image = m_background->at(time, m_motion->backgroundTurn(time));
   compose(object, image);
@@ -154,7 +178,8 @@ cv::Mat Scene::renderInstant(double time, int samples, ObjectRenderer &renderer,
 
 cv::Mat Scene::renderExposure(double time, ObjectRenderer &renderer) const
 {
-  // The background moves by less than a pixel meanwhile, so the means of colour and coverage are all that is needed.
+  // The background of a camera at rest moves by less than a pixel meanwhile, so the means of colour and coverage are
+  // all that is needed.
   cv::Mat image = m_background->at(time, m_motion->backgroundTurn(time));
   ImageLayer mean;
   mean.area = cv::Rect(cv::Point(0, 0), image.size());
@@ -176,23 +201,52 @@ cv::Mat Scene::renderExposure(double time, ObjectRenderer &renderer) const
   return image;
 }
 
+double Scene::timeOf(int frame) const
+{
+  const Shutter shutter = m_webcam->shutter();
+  double time = frame;
+  if (!(shutter.readout > 0.)) {
+    return time;
+  }
+  // While the object moves by fewer rows than are read meanwhile, each round is nearer to the row's own time.
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d centre = vpPoseExponential::toEigen(m_motion->pose(time)) * m_object.model->centre();
+    const double row = m_camera.cam.get_v0() + m_camera.cam.get_py() * centre.y() / centre.z();
+    const int rows = static_cast<int>(m_camera.height);
+    time = frame + shutter.timeOfRow(std::clamp(row, 0., rows - 1.), rows);
+  }
+  return time;
+}
+
+cv::Mat Scene::renderShutter(int frame, ObjectRenderer &renderer) const
+{
+  const Shutter shutter = m_options.variant == "blur" ? Shutter{exposure, 0.} : m_webcam->shutter();
+  return expose(shutter, [&](double time, int instant) {
+    return renderInstant(frame + time, 2, lightOf(frame + time, instant), renderer, nullptr);
+  });
+}
+
 cv::Mat Scene::render(int frame, ObjectRenderer &renderer, BopFrame &truth) const
 {
   truth = BopFrame();
   truth.id = frame;
   truth.cMo = pose(frame);
   cv::Mat image;
-  if (m_options.variant == "blur") {
+  if (m_options.variant == "blur" && m_options.motion != "shaken-camera") {
     image = renderExposure(frame, renderer);
     ImageLayer object;
     renderer.render(truth.cMo, Light(), 1, object);
     fillTruth(object, cv::Mat::zeros(image.size(), CV_32F), truth);
+  } else if (m_options.variant == "blur" || m_webcam->hasShutter()) {
+    renderInstant(timeOf(frame), 1, Light(), renderer, &truth);
+    image = renderShutter(frame, renderer);
   } else {
-    image = renderInstant(frame, 4, renderer, &truth);
+    image = renderInstant(frame, 4, lightOf(frame, 0), renderer, &truth);
   }
   if (!m_noise.empty()) {
     addNoise(frame, image);
   }
+  m_webcam->process(frame, image);
   cv::Mat result;
   image.convertTo(result, CV_8UC3);
   return result;

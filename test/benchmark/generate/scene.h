@@ -4,6 +4,7 @@
 
 #include "generate/background.h"
 #include "generate/foreground.h"
+#include "generate/webcam.h"
 
 #include <functional>
 #include <string>
@@ -13,10 +14,11 @@ namespace bench {
 //! One sequence: which object moves in front of what, and what makes it difficult.
 struct SceneOptions
 {
-  std::string object = "box";      //!< One of objectNames(), or the path of a mesh.
-  std::string variant = "regular"; //!< One of variantNames().
-  std::string motion = "smooth";   //!< One of motionNames(), or the path of a file with poses in RBOT's format.
-  double motionScale = 1.;         //!< Multiplies the motion from frame to frame.
+  std::string object = "box";       //!< One of objectNames(), or the path of a mesh.
+  std::string variant = "regular";  //!< One of variantNames().
+  std::string motion = "smooth";    //!< One of motionNames(), or the path of a file with poses in RBOT's format.
+  double motionScale = 1.;          //!< Multiplies the motion from frame to frame.
+  std::vector<std::string> effects; //!< Of effectNames().
   int frames = 300;
   std::uint64_t seed = 1; //!< The same one gives the same bytes.
   std::string dataset;    //!< Folder of the data set; made where it is missing.
@@ -30,11 +32,11 @@ struct SceneOptions
 /*!
   What makes a sequence difficult: "regular" (nothing), "light" (direction and strength change), "noise" (Gaussian, 12
   gray levels), "occlusion" (up to 0.4 hidden), "blur" (exposure of 0.6 of the frame interval), "blackout" (hidden for
-  10 to 15 frames), "exit" (outside the image for 10 to 20 frames).
+  10 to 15 frames), "exit" (outside the image for 10 to 20 frames), "webcam" (all of effectNames()).
 */
 std::vector<std::string> variantNames();
 
-//! Name of a scene's folder: <object>_<variant>, or <object>_<motion>_<variant> where the motion is not smooth.
+//! Name of a scene's folder: <object>_<variant>, or <object>_<motion>_<effects>_<variant> with what is not usual.
 std::string sceneName(const SceneOptions &options);
 
 /*!
@@ -51,8 +53,8 @@ public:
   const LoadedObject &object() const { return m_object; }
   int objectId() const { return m_synthetic.id; }
   const Motion &motion() const { return *m_motion; }
-  //! True pose of a frame: that of the middle of its exposure.
-  vpHomogeneousMatrix pose(int frame) const { return m_motion->pose(frame); }
+  //! True pose of a frame: that of the middle of the exposure of the row that shows the object's centre.
+  vpHomogeneousMatrix pose(int frame) const { return m_motion->pose(timeOf(frame)); }
 
   //! Makes what a thread needs to render frames.
   ObjectRenderer makeRenderer() const { return ObjectRenderer(m_object, m_camera); }
@@ -65,9 +67,13 @@ public:
   cv::Mat render(int frame, ObjectRenderer &renderer, BopFrame &truth) const;
 
 private:
-  cv::Mat renderInstant(double time, int samples, ObjectRenderer &renderer, BopFrame *truth) const;
+  cv::Mat renderInstant(double time, int samples, const Light &light, ObjectRenderer &renderer, BopFrame *truth) const;
   //! The mean of several instants, time being the middle of the exposure.
   cv::Mat renderExposure(double time, ObjectRenderer &renderer) const;
+  //! As m_webcam sees it.
+  cv::Mat renderShutter(int frame, ObjectRenderer &renderer) const;
+  double timeOf(int frame) const;
+  Light lightOf(double time, int instant) const;
   void fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const;
   void planForeground();
   void addNoise(int frame, cv::Mat &image) const;
@@ -78,6 +84,7 @@ private:
   LoadedObject m_object;
   std::unique_ptr<Motion> m_motion;
   std::unique_ptr<Background> m_background;
+  std::unique_ptr<Webcam> m_webcam;
   std::unique_ptr<Foreground> m_foreground; //!< Null where nothing is in front.
   std::vector<float> m_noise;               //!< Numbers of the normal distribution.
 };

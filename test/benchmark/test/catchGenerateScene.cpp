@@ -96,7 +96,7 @@ MotionRange rangeOf(const Scene &scene)
 TEST_CASE("The same seed gives the same bytes with any number of threads, another seed gives others")
 {
   const meshFiles::TemporaryFolder folder;
-  for (const std::string variant : {"noise", "occlusion"}) {
+  for (const std::string variant : {"noise", "occlusion", "webcam"}) {
     SceneOptions options = generateChecks::options(folder.path("first"), "box", variant, 6);
     bench::generateScene(options);
     const std::vector<std::string> first = filesOf(options);
@@ -138,7 +138,7 @@ TEST_CASE("Variants have the motion of the regular sequence")
   const Scene regular(generateChecks::options(folder.path("data"), "box", "regular", 20));
   for (const std::string &variant : bench::variantNames()) {
     const Scene scene(generateChecks::options(folder.path("data"), "box", variant, 20));
-    const bool same = scene.pose(11).data[3] == regular.pose(11).data[3];
+    const bool same = scene.motion().pose(11.).data[3] == regular.motion().pose(11.).data[3];
     CHECK(same == (variant != "exit"));
   }
 }
