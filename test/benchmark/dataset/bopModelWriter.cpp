@@ -184,16 +184,16 @@ void writeInfo(const std::string &file, const BopModel &model)
 }
 } // namespace
 
-std::string bopModelPath(const std::string &dataset, int id)
+std::string bopModelPath(const std::string &dataset, int id, const std::string &folder)
 {
   char name[32];
   std::snprintf(name, sizeof(name), "obj_%06d", id);
-  return (fs::path(dataset) / "models" / name).string();
+  return (fs::path(dataset) / folder / name).string();
 }
 
 void writeBopModel(const std::string &dataset, const BopModel &model)
 {
-  const std::string path = bopModelPath(dataset, model.id);
+  const std::string path = bopModelPath(dataset, model.id, model.folder);
   const fs::path folder = fs::path(path).parent_path();
   std::error_code error;
   fs::create_directories(folder, error);
@@ -207,6 +207,8 @@ void writeBopModel(const std::string &dataset, const BopModel &model)
   }
   if (!model.cao.empty()) {
     writeText(path + ".cao", model.cao);
+  } else {
+    fs::remove(path + ".cao", error);
   }
   writeInfo((folder / "models_info.json").string(), model);
 }

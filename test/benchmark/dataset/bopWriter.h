@@ -41,21 +41,25 @@ struct BopTriangle
   int image = -1;
 };
 
+//! The folder of a data set that programs take models from.
+constexpr const char *bopModels = "models";
+
 //! The files of one object.
 struct BopModel
 {
   int id = 1;
   std::vector<BopTriangle> triangles;
   std::vector<cv::Mat> images; //!< Textures, 8-bit BGR.
-  std::string cao;             //!< ViSP's model; empty: none is written.
+  std::string cao;             //!< ViSP's model; empty: none is written, and an earlier one is removed.
+  std::string folder = bopModels;
 };
 
 //! Path of an object's file without its extension: models/obj_000001.
-std::string bopModelPath(const std::string &dataset, int id);
+std::string bopModelPath(const std::string &dataset, int id, const std::string &folder = bopModels);
 
 /*!
-  Writes models/obj_<id>.ply (millimetres, colours of vertices), .obj with .mtl and .png (metres) where there are
-  textures, .cao where there is one, and the object's entry of models/models_info.json; other objects' entries stay.
+  Writes <folder>/obj_<id>.ply (millimetres, colours of vertices), .obj with .mtl and .png (metres) where there are
+  textures, .cao where there is one, and the object's entry of <folder>/models_info.json; other objects' entries stay.
   \throw vpException naming the file that cannot be written.
 */
 void writeBopModel(const std::string &dataset, const BopModel &model);

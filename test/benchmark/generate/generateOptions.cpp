@@ -78,6 +78,10 @@ bool GenerateOptions::read(int argc, const char *const argv[])
   line.addSetter("--size", "width and height of the images, pixels; default 640x480",
                  [this](const std::string &value) { setSize(value, scene); });
   line.add("--unit", "metres per unit of a mesh; default 1", scene.unit);
+  line.add("--mesh-error",
+           "the mesh in models/ is as a reconstruction would be, round at edges, 1 % too large or small, 0.5 % uneven; "
+           "a factor on these errors; default 0: it is the one that is rendered",
+           scene.meshError);
   line.add("--jobs", "threads; default 1, 2 for blur", scene.jobs, 1);
   if (!line.read(argc, argv)) {
     return false;

@@ -108,17 +108,23 @@ int nearestPart(const SyntheticObject &object, const Eigen::Vector3d &centre)
 }
 } // namespace
 
-LoadedObject writeAndLoad(const std::string &dataset, const SyntheticObject &object)
+void writeObject(const std::string &dataset, const SyntheticObject &object, const std::string &folder)
 {
   BopModel files;
   files.id = object.id;
   files.triangles.assign(object.triangles.begin(), object.triangles.end());
   files.images = object.images;
   files.cao = object.cao;
+  files.folder = folder;
   writeBopModel(dataset, files);
+}
+
+LoadedObject writeAndLoad(const std::string &dataset, const SyntheticObject &object, const std::string &folder)
+{
+  writeObject(dataset, object, folder);
   vpModelOptions options;
   options.maxSize = 1000.;
-  const std::string path = bopModelPath(dataset, object.id);
+  const std::string path = bopModelPath(dataset, object.id, folder);
   options.unit = object.images.empty() ? 0.001 : 1.;
   LoadedObject loaded;
   loaded.model = std::make_shared<const vpTrackedModel>(

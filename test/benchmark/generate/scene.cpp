@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generate/scene.h"
 
+#include "generate/meshError.h"
+
 #include <visp3/core/vpException.h>
 #include <visp3/se3/vpPoseExponential.h>
 #include <visp3/se3/vpPoseRandom.h>
@@ -16,6 +18,8 @@ const int noiseNumbers = 1 << 18;
 const double noiseDeviation = 12.;
 const int exposureSteps = 8;
 const double exposure = 0.6;
+const double mostMeshError = 5.;
+const char *const renderedModels = "models_rendered";
 
 void checkOptions(const SceneOptions &options)
 {
@@ -33,6 +37,9 @@ void checkOptions(const SceneOptions &options)
   if (options.width < 64 || options.height < 48 || options.width > 4096 || options.height > 4096) {
     throw vpException(vpException::badValue, "images may have 64 x 48 to 4096 x 4096 pixels, not %u x %u",
                       options.width, options.height);
+  }
+  if (!(options.meshError >= 0. && options.meshError <= mostMeshError)) {
+    throw vpException(vpException::badValue, "--mesh-error: %g is not from 0 to %g", options.meshError, mostMeshError);
   }
   if (options.dataset.empty()) {
     throw vpException(vpException::badValue, "no folder was given for the data set");
@@ -99,7 +106,7 @@ Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSce
 {
   checkOptions(options);
   m_synthetic = makeObject(options.object, options.seed, options.unit);
-  m_object = writeAndLoad(options.dataset, m_synthetic);
+  writeModels();
   m_motion = makeMotion(m_camera, motionOf(options, m_synthetic, *m_object.model));
   const std::string suits = m_synthetic.inSpace ? "space" : "photo";
   m_background = std::make_unique<Background>(options.background.empty() ? suits : options.background, m_camera,
@@ -120,6 +127,21 @@ Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSce
     m_noise.resize(noiseNumbers);
     std::generate(m_noise.begin(), m_noise.end(), [&] { return static_cast<float>(noiseDeviation * random.normal()); });
   }
+}
+
+void Scene::writeModels()
+{
+  if (!(m_options.meshError > 0.)) {
+    m_object = writeAndLoad(m_options.dataset, m_synthetic);
+    return;
+  }
+  // Trackers find the wrong mesh. A .cao has no room for its errors, and would give the right one away.
+  m_object = writeAndLoad(m_options.dataset, m_synthetic, renderedModels);
+  SyntheticObject wrong = m_synthetic;
+  wrong.triangles = reconstructed(m_synthetic.triangles, m_options.meshError,
+                                  m_options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
+  wrong.cao.clear();
+  writeObject(m_options.dataset, wrong);
 }
 
 void Scene::planForeground()

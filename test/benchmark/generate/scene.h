@@ -25,8 +25,9 @@ struct SceneOptions
   std::string background; //!< "photo", "plain", "space", or empty for the one that suits the object.
   unsigned int width = 640;
   unsigned int height = 480;
-  double unit = 1.; //!< Metres per unit of a mesh.
-  int jobs = 1;     //!< Threads; the result does not depend on their number.
+  double unit = 1.;      //!< Metres per unit of a mesh.
+  double meshError = 0.; //!< Strength of the errors of the mesh in models/; the one that is rendered is exact.
+  int jobs = 1;          //!< Threads; the result does not depend on their number.
 };
 
 /*!
@@ -75,6 +76,7 @@ private:
   double timeOf(int frame) const;
   Light lightOf(double time, int instant) const;
   void fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const;
+  void writeModels();
   void planForeground();
   void addNoise(int frame, cv::Mat &image) const;
 
