@@ -47,6 +47,29 @@ void setSeed(const std::string &value, SceneOptions &scene)
     throw vpException(vpException::badValue, "--seed: '%s' is not a whole number of at least 0", value.c_str());
   }
 }
+
+void addMotion(CommandLine &line, SceneOptions &scene)
+{
+  line.add(
+      "--motion",
+      "smooth (4 to 8 pixels a frame), handheld (a hand swings the object: 10 pixels and 6 degrees), shaken-camera "
+      "(object and background together: 9 pixels), or a file with poses in RBOT's format; default smooth",
+      scene.motion);
+  line.add("--motion-scale", "multiplies the motion from frame to frame; default 1", scene.motionScale);
+}
+
+void addImperfections(CommandLine &line, SceneOptions &scene)
+{
+  line.addSetter(
+      "--effects",
+      "what the variant webcam has, for any variant: rolling-shutter, exposure, drift, vignetting, defocus, "
+      "noise, bayer, jpeg, highlights, soft-shadows, or all; several with commas",
+      [&scene](const std::string &value) { scene.effects = expand("--effects", value, effectNames(), false); });
+  line.add("--mesh-error",
+           "the mesh in models/ is as a reconstruction would be, round at edges, 1 % too large or small, 0.5 % uneven; "
+           "a factor on these errors; default 0: it is the one that is rendered",
+           scene.meshError);
+}
 } // namespace
 
 bool GenerateOptions::read(int argc, const char *const argv[])
@@ -58,17 +81,7 @@ bool GenerateOptions::read(int argc, const char *const argv[])
   line.addSetter("--variant",
                  "regular, light, noise, occlusion, blur, blackout, exit, webcam, or all; several with commas",
                  [this](const std::string &value) { variants = expand("--variant", value, variantNames(), false); });
-  line.add(
-      "--motion",
-      "smooth (4 to 8 pixels a frame), handheld (a hand swings the object: 10 pixels and 6 degrees), shaken-camera "
-      "(object and background together: 9 pixels), or a file with poses in RBOT's format; default smooth",
-      scene.motion);
-  line.add("--motion-scale", "multiplies the motion from frame to frame; default 1", scene.motionScale);
-  line.addSetter(
-      "--effects",
-      "what the variant webcam has, for any variant: rolling-shutter, exposure, drift, vignetting, defocus, "
-      "noise, bayer, jpeg, highlights, soft-shadows, or all; several with commas",
-      [this](const std::string &value) { scene.effects = expand("--effects", value, effectNames(), false); });
+  addMotion(line, scene);
   line.add("--out", "folder of the data set", scene.dataset);
   line.add("--frames", "images of each sequence; default 300", scene.frames, 2);
   line.addSetter("--seed", "the same seed gives the same images; default 1",
@@ -78,18 +91,25 @@ bool GenerateOptions::read(int argc, const char *const argv[])
   line.addSetter("--size", "width and height of the images, pixels; default 640x480",
                  [this](const std::string &value) { setSize(value, scene); });
   line.add("--unit", "metres per unit of a mesh; default 1", scene.unit);
-  line.add("--mesh-error",
-           "the mesh in models/ is as a reconstruction would be, round at edges, 1 % too large or small, 0.5 % uneven; "
-           "a factor on these errors; default 0: it is the one that is rendered",
-           scene.meshError);
+  addImperfections(line, scene);
   line.add("--jobs", "threads; default 1, 2 for blur", scene.jobs, 1);
   if (!line.read(argc, argv)) {
     return false;
   }
+  check();
+  return true;
+}
+
+void GenerateOptions::check() const
+{
+  if (scene.motion != "smooth" && std::find(variants.begin(), variants.end(), "exit") != variants.end()) {
+    throw vpException(vpException::badValue,
+                      "the variant 'exit' has a motion of its own: leave --motion %s out, or list other variants",
+                      scene.motion.c_str());
+  }
   if (objects.empty() || variants.empty() || scene.dataset.empty()) {
     throw vpException(vpException::badValue, "--object, --variant and --out are needed; --help says more");
   }
-  return true;
 }
 
 } // namespace bench

@@ -18,6 +18,9 @@ struct GenerateOptions
     \throw vpException naming the option that is unknown, misses its value or has a wrong one.
   */
   bool read(int argc, const char *const argv[]);
+
+private:
+  void check() const;
 };
 
 } // namespace bench

@@ -40,7 +40,7 @@ MotionTargets scaled(MotionTargets targets, double scale)
 {
   targets.pixels *= scale;
   targets.prediction *= scale;
-  targets.degrees *= std::pow(scale, turnExponent);
+  targets.degrees *= scale > 1. ? std::pow(scale, turnExponent) : scale;
   return targets;
 }
 
@@ -59,6 +59,12 @@ MotionSettings slowSettings(const MotionSettings &settings)
   slow.margin += shakeMargin * settings.scale;
   slow.frames = std::max(settings.frames, 300);
   return slow;
+}
+
+// Of drift and turning beside the swing, so that they do not exceed what is wanted in all.
+double slowness(double scale)
+{
+  return std::min(1., scale);
 }
 
 Eigen::Matrix3d rotationOf(const Eigen::Vector3d &vector)
@@ -85,8 +91,9 @@ Eigen::Matrix3d HandheldMotion::rotationAt(const Eigen::Vector3d &swing, double 
     tilt *= mostTilt * std::tanh(tilt.norm() / mostTilt) / std::max(tilt.norm(), 1e-12);
     return rotationOf({0., 0., swing.z()}) * rotationOf(tilt) * upright;
   }
-  const double pitch = driftPitch * m_drift.at(time, driftTempo)(2);
-  const double yaw = 2. * M_PI * time / framesPerTurn;
+  const double slow = slowness(m_settings.scale);
+  const double pitch = driftPitch * m_drift.at(slow * time, driftTempo)(2);
+  const double yaw = 2. * M_PI * slow * time / framesPerTurn;
   return rotationOf(swing) * rotationOf({pitch, 0., 0.}) * rotationOf({0., yaw, 0.}) * upright;
 }
 
@@ -100,7 +107,7 @@ double HandheldMotion::placeAlong(double size, double extent, double wanted) con
 vpHomogeneousMatrix HandheldMotion::poseWith(const MotionGains &gains, double time) const
 {
   const Eigen::VectorXd swing = m_swing.at(time, gains.tempo);
-  const Eigen::VectorXd drift = m_drift.at(time, driftTempo);
+  const Eigen::VectorXd drift = m_drift.at(slowness(m_settings.scale) * time, driftTempo);
   const double focal = m_camera.cam.get_px();
   const double change = gains.shift * swing(2) / (mostSizeChange * m_settings.pixelDiameter);
   const double distance = focal * m_extent.diameter / (m_settings.pixelDiameter * m_camera.scale()) *

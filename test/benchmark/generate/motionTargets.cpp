@@ -67,8 +67,8 @@ MotionGains reachTargets(const SceneCamera &camera, const MotionSettings &settin
     improve(missing, gains);
   }
   throw vpException(vpException::badValue,
-                    "--motion %s cannot be %g times as strong for this object in images of this size: give a smaller "
-                    "--motion-scale",
+                    "--motion %s cannot be %g times as strong for this object in images of this size: give a "
+                    "--motion-scale nearer to 1",
                     settings.kind.c_str(), settings.scale);
 }
 
