@@ -50,11 +50,8 @@ void setSeed(const std::string &value, SceneOptions &scene)
 
 void addMotion(CommandLine &line, SceneOptions &scene)
 {
-  line.add(
-      "--motion",
-      "smooth (4 to 8 pixels a frame), handheld (a hand swings the object: 10 pixels and 6 degrees), shaken-camera "
-      "(object and background together: 9 pixels), or a file with poses in RBOT's format; default smooth",
-      scene.motion);
+  line.add("--motion", "smooth, handheld, shaken-camera, or a file with poses in RBOT's format; default smooth",
+           scene.motion);
   line.add("--motion-scale", "multiplies the motion from frame to frame; default 1", scene.motionScale);
 }
 
@@ -62,12 +59,11 @@ void addImperfections(CommandLine &line, SceneOptions &scene)
 {
   line.addSetter(
       "--effects",
-      "what the variant webcam has, for any variant: rolling-shutter, exposure, drift, vignetting, defocus, "
-      "noise, bayer, jpeg, highlights, soft-shadows, or all; several with commas",
+      "all, or some of what the variant webcam has: rolling-shutter, exposure, drift, vignetting, defocus, noise, "
+      "bayer, jpeg, highlights, soft-shadows",
       [&scene](const std::string &value) { scene.effects = expand("--effects", value, effectNames(), false); });
   line.add("--mesh-error",
-           "the mesh in models/ is as a reconstruction would be, round at edges, 1 % too large or small, 0.5 % uneven; "
-           "a factor on these errors; default 0: it is the one that is rendered",
+           "errors of the mesh that trackers get against the one that is rendered: 1 for those of a scan; default 0",
            scene.meshError);
 }
 } // namespace
