@@ -13,8 +13,8 @@
 
 namespace bench {
 namespace {
-// All lengths are shares of the diameter, as reconstructions from photographs or with a depth camera have them: of an
-// object of 20 cm, edges of 5 mm, 2 mm too large, 1 mm uneven.
+// All lengths are shares of the diameter. Assumed for a scan with a cheap depth camera: of an object of 20 cm, edges of
+// 5 mm, 2 mm too large, 1 mm uneven.
 const double edgeLength = 0.025;
 const double sizeError = 0.01;
 const double unevenness = 0.005; // Root mean square.

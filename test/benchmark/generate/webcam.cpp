@@ -21,12 +21,13 @@ const double exposure = 0.5;
 // colour against another by 3 %; a hand before a window does more.
 const double brightnessDrift = 0.12;
 const double colorDrift = 0.04;
-// Standard deviation of a Gaussian, pixels at 640 x 480.
+// Assumed, for lenses of fixed focus: standard deviation of a Gaussian, pixels at 640 x 480.
 const double defocus = 0.8;
-// Standard deviation of black, and square of it per gray level: 1.5 to 5 gray levels.
+// Assumed, for a small sensor in a room: standard deviation of black, and square of it per gray level, in all 1.5 to 5
+// gray levels before the colours are interpolated.
 const double darkNoise = 1.5;
 const double photonNoise = 0.1;
-// Webcams send such images at 640 x 480, 30 to 50 kB each.
+// Assumed: images of 640 x 480 have 35 to 40 kB then, which USB 2 carries 30 times a second with ease.
 const int jpegQuality = 75;
 // Gray levels are a power of the light.
 const double gamma = 2.2;
