@@ -30,10 +30,7 @@ inline vpHomogeneousMatrix truePose()
   return vpHomogeneousMatrix(0.01, -0.01, 0.6, 0.9, 0.5, -0.2);
 }
 
-/*!
-  Writes the box as a mesh. Its corners are numbers of 32 bits, as mesh programs write them: where recovery hangs on the
-  last bits, tests go on with those that they were made with. \param size Lengths of its sides, metres. \return name
-*/
+//! Writes the box as a mesh. \param size Lengths of its sides, metres. \return name
 inline std::string writeBox(const Eigen::Vector3d &size, const std::string &name)
 {
   std::ofstream file(name);
@@ -41,8 +38,7 @@ inline std::string writeBox(const Eigen::Vector3d &size, const std::string &name
   int count = 0;
   for (const auto &side : modelShapes::boxPolygons(size)) {
     for (const Eigen::Vector3d &corner : side) {
-      const Eigen::Vector3d written = corner.cast<float>().cast<double>();
-      file << "v " << written.x() << " " << written.y() << " " << written.z() << "\n";
+      file << "v " << corner.x() << " " << corner.y() << " " << corner.z() << "\n";
     }
     file << "f " << count + 1 << " " << count + 2 << " " << count + 3 << "\nf " << count + 1 << " " << count + 3 << " "
          << count + 4 << "\n";

@@ -15,6 +15,8 @@ BEGIN_VISP_NAMESPACE
   hardly differ, the less so as the pose that shows less has less to miss. What tells which is right is what only one of
   them has. With the agreement a of each place, its weight l, by its light, and the sums over places that the other pose
   has no contour at: \f[ D = \sum_{own} l (a - \tfrac{1}{2}) - \sum_{other} l (a - \tfrac{1}{2}) \f]
+  A place by itself has an agreement or has none, so the sum is off by the root of their number N by chance, and in the
+  same way frame after frame: only what is beyond that counts, \f$ |D| - \tfrac{1}{2} \sqrt{N} \f$.
 */
 class vpContourEvidence
 {
@@ -24,7 +26,7 @@ public:
 
   //! \param edges As they were matched near the pose.
   void set(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo);
-  //! D, in places. It is for the other pose (below 0) only where most of what that one has alone is there: what hides
+  //! D beyond chance, in places. It is for the other pose (below 0) only where most of what that one has alone is there: what hides
   //! the object takes contours away, and shows none.
   double advantageOver(const vpContourEvidence &other) const;
   //! \param advantage In places. \return What it says in one image, as a logarithm of odds: far below what it would be
