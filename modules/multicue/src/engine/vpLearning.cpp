@@ -14,11 +14,7 @@ const double mostOfMotion = 4.; // Squared distance from the expected pose, in d
 
 void vpLearning::forget()
 {
-  const unsigned int trustedFrames = m_situation.trustedFrames;
-  const bool wasTracking = m_situation.wasTracking;
   m_situation = vpSituation();
-  m_situation.trustedFrames = trustedFrames;
-  m_situation.wasTracking = wasTracking;
   m_situation.belief.start(rightAtStart);
   m_proof = vpFoundPoseProof();
   m_twins.end();
@@ -99,8 +95,7 @@ void vpLearning::learn(const vpFrameContext &frame, const vpHomogeneousMatrix &c
   learnReferences(cMo);
   m_edges.learnResidue();
   if (m_outcome.isTracking()) {
-    const unsigned int frames = m_situation.trustedFrames;
-    m_knowledge.learnUsual(verdict.agreement, m_proof.fallRateOfUsual(frames), frames == 1);
+    m_knowledge.learnUsual(verdict.agreement, m_proof.fallRateOfUsual(m_situation.trustedFrames));
   }
   if (usesKeyframes() && verdict.share.sum > wellExplained * verdict.share.cues) {
     m_knowledge.learnKeyframe(frame.image, cMo, m_looks, false);

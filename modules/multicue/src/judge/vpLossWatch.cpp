@@ -296,10 +296,4 @@ void vpLossWatch::startOver(const vpHomogeneousMatrix &cMo)
   m_twins.start(cMo, m_halfTurns);
 }
 
-double vpLossWatch::score() const
-{
-  const bool hasPose = m_outcome.isJudged && m_outcome.all.good > 0 && !m_outcome.isLost();
-  return hasPose ? believed() : 0.;
-}
-
 END_VISP_NAMESPACE

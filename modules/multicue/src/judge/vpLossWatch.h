@@ -42,7 +42,11 @@ public:
   //! At a twin that won: what was learnt since the object was found is of the wrong pose.
   void startOver(const vpHomogeneousMatrix &cMo);
   //! How far to believe the pose, [0, 1].
-  double score() const;
+  double score() const
+  {
+    const bool hasPose = m_outcome.isJudged && m_outcome.all.good > 0 && !m_outcome.isLost();
+    return hasPose ? believed() : 0.;
+  }
 
 private:
   void recallLearnt();

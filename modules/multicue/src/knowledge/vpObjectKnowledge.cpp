@@ -125,7 +125,7 @@ double vpObjectKnowledge::explainedBy(const vpCueShare &cues, const vpHomogeneou
   return all.cues > 0. ? std::min(all.sum / all.cues, cues.most) : 0.;
 }
 
-void vpObjectKnowledge::learnUsual(const vpAgreement &agreement, double fallRateNow, bool isFirst)
+void vpObjectKnowledge::learnUsual(const vpAgreement &agreement, double fallRateNow)
 {
   const auto learn = [fallRateNow](double value, double &usualValue, double &variance) {
     if (usualValue > 0.) {
@@ -136,9 +136,8 @@ void vpObjectKnowledge::learnUsual(const vpAgreement &agreement, double fallRate
     usualValue += rate * (value - usualValue);
   };
   usual.edgeCount += countRate * (agreement.edgeCount - usual.edgeCount);
-  // The first frame that is followed tells more than the start, where nothing was remembered of the edges yet.
   const double clearer = agreement.evidence - usual.evidence;
-  usual.evidence += (isFirst ? 1. : (clearer > 0. ? riseRate : fallRateNow)) * clearer;
+  usual.evidence += (clearer > 0. ? riseRate : fallRateNow) * clearer;
   const double farther = agreement.mapDistance - usual.mapDistance;
   usual.mapDistance += (farther > 0. ? fallRateNow : nearerRate) * farther;
   for (std::size_t i = 0; i < usual.cues.of.size(); ++i) {

@@ -64,9 +64,8 @@ public:
   //! What cues say of a pose, with what the keyframes say of it.
   double explainedBy(const vpCueShare &cues, const vpHomogeneousMatrix &cMo) const;
 
-  //! From a trusted pose. \param fallRate How fast less agreement becomes the usual one. \param isFirst Since the
-  //! start.
-  void learnUsual(const vpAgreement &agreement, double fallRate, bool isFirst);
+  //! From a trusted pose. \param fallRate How fast less agreement becomes the usual one.
+  void learnUsual(const vpAgreement &agreement, double fallRate);
   static constexpr double fallRate = 0.02;
   //! What the start shows of itself is more than other images show of the object.
   void learnUsualOfStart(const vpAgreement &atStart, const vpCueSet &cues);
