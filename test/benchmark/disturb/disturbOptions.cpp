@@ -62,13 +62,7 @@ void DisturbOptions::check() const
   }
   std::vector<std::string> named = trackers;
   named.insert(named.end(), followers.begin(), followers.end());
-  const std::vector<std::string> known = trackerNames();
-  for (const std::string &name : named) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw vpException(vpException::badValue, "The tracker '%s' is not known; multicue-evaluate --help lists them",
-                        name.c_str());
-    }
-  }
+  requireTrackers(named);
   if (!(right > 0.)) {
     throw vpException(vpException::badValue, "--right: %g is not above 0", right);
   }

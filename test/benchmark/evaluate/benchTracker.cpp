@@ -5,6 +5,7 @@
 #include "evaluate/vispBenchTracker.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/multicue/vpCueKind.h>
 
 #include <algorithm>
 
@@ -30,24 +31,57 @@ std::vector<std::string> trackerNames()
   return names;
 }
 
+std::string trackerNamesText()
+{
+  std::string text;
+  for (const std::string &name : trackerNames()) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+void requireTrackers(const std::vector<std::string> &names)
+{
+  const std::vector<std::string> known = trackerNames();
+  for (const std::string &name : names) {
+    if (!contains(known, name)) {
+      throw vpException(vpException::badValue, "--tracker: '%s' is not one of %s", name.c_str(),
+                        trackerNamesText().c_str());
+    }
+  }
+}
+
+int cuesNamed(const std::vector<std::string> &names)
+{
+  int cues = 0;
+  for (const std::string &name : names) {
+    const std::deque<vpCueKind> &kinds = vpCueKinds::all();
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&name](const vpCueKind &one) { return one.name == name; });
+    if (kind == kinds.end()) {
+      std::string known;
+      for (const vpCueKind &one : kinds) {
+        known += (known.empty() ? "" : ", ") + one.name;
+      }
+      throw vpException(vpException::badValue, "--cues: '%s' is not one of %s", name.c_str(), known.c_str());
+    }
+    cues |= kind->type;
+  }
+  return cues;
+}
+
 bool needsCao(const std::string &name)
 {
   return contains(vispTrackers(), name);
 }
 
 std::unique_ptr<BenchTracker> makeTracker(const std::string &name, const SequenceObject &object,
-                                          const vpCameraParameters &cam, const std::string &config)
+                                          const vpCameraParameters &cam, const std::string &config, int cues)
 {
   if (contains(multiCuePresets(), name)) {
-    return makeMultiCueTracker(name, object, cam, config);
+    return makeMultiCueTracker(name, object, cam, config, cues);
   }
-  if (!contains(vispTrackers(), name)) {
-    std::string known;
-    for (const std::string &other : trackerNames()) {
-      known += " " + other;
-    }
-    throw vpException(vpException::badValue, "Tracker '%s' is not known; there are%s", name.c_str(), known.c_str());
-  }
+  requireTrackers({name});
   if (object.cao.empty()) {
     throw vpException(vpException::badValue, "%s needs a .cao model, and object %d has none beside its mesh",
                       name.c_str(), object.id);

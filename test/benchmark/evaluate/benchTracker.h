@@ -55,17 +55,24 @@ public:
 
 //! Names that makeTracker() knows, ours first.
 std::vector<std::string> trackerNames();
+//! The same in one text, separated by commas.
+std::string trackerNamesText();
+//! \throw vpException naming the first one that makeTracker() does not know.
+void requireTrackers(const std::vector<std::string> &names);
+//! \return Sum of the types of kinds of cues, 0 for no name. \throw vpException naming what is no kind.
+int cuesNamed(const std::vector<std::string> &names);
 
 /*!
   \param name One of trackerNames().
   \param object Its model is loaded: the mesh where there is one for ours, the .cao for ViSP's.
   \param cam Camera of the whole sequence.
   \param config ViSP's XML or our JSON, read on top of the benchmark's settings; empty for none. Its camera is not used.
+  \param cues Sum of the types of the cues that trackers of ours use; 0: as they have them.
   \throw vpException naming the tracker where it is unknown or the object lacks the model that it needs, or what the
   tracker says of its files.
 */
 std::unique_ptr<BenchTracker> makeTracker(const std::string &name, const SequenceObject &object,
-                                          const vpCameraParameters &cam, const std::string &config);
+                                          const vpCameraParameters &cam, const std::string &config, int cues = 0);
 
 //! \return True where the tracker needs a .cao model.
 bool needsCao(const std::string &name);

@@ -14,14 +14,6 @@ namespace {
 // A start that is farther off has nothing to do with the object.
 const double mostStartError = 200.;
 
-std::string allTrackers()
-{
-  std::string text;
-  for (const std::string &name : trackerNames()) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 } // namespace
 
 bool EvaluateOptions::read(int argc, const char *const argv[])
@@ -35,10 +27,11 @@ bool EvaluateOptions::read(int argc, const char *const argv[])
   line.add("--dataset", "folder of the data set", dataset);
   line.add("--scene", "scenes, separated by commas, or 'all'", scenes);
   line.add("--object", "number of the object in BOP's files; 0, the default: the first one of the scene", object, 0);
-  line.add("--tracker", "trackers, separated by commas: " + allTrackers(), trackers);
+  line.add("--tracker", "trackers, separated by commas: " + trackerNamesText(), trackers);
   line.add("--protocol", "rbot (started again after a failure), run (never), or both; default rbot", protocol);
   line.add("--step", "every how many frames to take, separated by commas; default 1", steps);
   line.add("--config", "ViSP's XML or our JSON file, for all trackers", config);
+  line.add("--cues", "cues that our trackers use, such as edge,color; default: those of each", cues);
   line.add("--threads", "threads of a tracker; default 1", threads, 1);
   line.add("--jobs", "runs side by side; times are then less exact; default 1", jobs, 1);
   line.add("--start-error",
@@ -83,14 +76,10 @@ void EvaluateOptions::check() const
   }
   if (trackers.empty() || out.empty() || steps.empty()) {
     throw vpException(vpException::badValue, "--tracker, --step and --out are needed; trackers: %s",
-                      allTrackers().c_str());
+                      trackerNamesText().c_str());
   }
-  const std::vector<std::string> known = trackerNames();
-  for (const std::string &name : trackers) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw vpException(vpException::badValue, "--tracker: '%s' is not one of %s", name.c_str(), allTrackers().c_str());
-    }
-  }
+  requireTrackers(trackers);
+  cuesNamed(cues);
   if (!(start.pixels >= 0. && start.pixels < mostStartError)) {
     throw vpException(vpException::badValue, "--start-error: %g is not from 0 to %g pixels", start.pixels,
                       mostStartError);

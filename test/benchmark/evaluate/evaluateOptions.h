@@ -19,6 +19,7 @@ struct EvaluateOptions
   std::vector<Protocol> protocols = {Protocol::RBOT};
   std::vector<int> steps = {1};
   std::string config;
+  std::vector<std::string> cues; //!< Of our trackers; none: as they have them.
   int threads = 1;
   int jobs = 1;
   StartPoses start;

@@ -102,6 +102,9 @@ public:
     if (m_options.start.pixels > 0.) {
       text << "starts " << m_options.start.pixels << " px off, seed " << m_options.start.seed << ", ";
     }
+    for (const std::string &cue : m_options.cues) {
+      text << "cue " << cue << ", ";
+    }
     text << "config " << m_configText;
     return text.str();
   }
@@ -135,8 +138,8 @@ public:
       return m_options.start.at(m_sequence.scene, frame, model, measure);
     };
     for (const RunKey &key : runs) {
-      const std::unique_ptr<BenchTracker> tracker =
-          makeTracker(m_tracker, m_sequence.object, m_sequence.frames.front().cam, m_options.config);
+      const std::unique_ptr<BenchTracker> tracker = makeTracker(
+          m_tracker, m_sequence.object, m_sequence.frames.front().cam, m_options.config, cuesNamed(m_options.cues));
       RunResult run;
       run.records = runProtocol(m_sequence, images, *tracker, measure, key.protocol, key.step, oneMore, start);
       run.summary = summarise(key, run.records, m_sequence.object.diameter, measure.isSymmetric(), tracker->stages());

@@ -104,7 +104,7 @@ class MultiCueBenchTracker : public BenchTracker
 {
 public:
   MultiCueBenchTracker(const Preset &preset, const SequenceObject &object, const vpCameraParameters &cam,
-                       const std::string &config)
+                       const std::string &config, int cues)
   {
     if (preset.ofLibrary) {
       m_tracker.setPreset(*preset.ofLibrary);
@@ -116,6 +116,9 @@ public:
     m_tracker.setModelUnit(object.meshUnit);
     m_tracker.loadModel(object.mesh.empty() ? object.cao : object.mesh);
     preset.change(m_tracker);
+    if (cues != 0) {
+      m_tracker.setTrackerType(cues);
+    }
   }
 
   void init(const BenchImage &I, const vpHomogeneousMatrix &cMo) override
@@ -172,9 +175,9 @@ std::vector<std::string> multiCuePresets()
 }
 
 std::unique_ptr<BenchTracker> makeMultiCueTracker(const std::string &preset, const SequenceObject &object,
-                                                  const vpCameraParameters &cam, const std::string &config)
+                                                  const vpCameraParameters &cam, const std::string &config, int cues)
 {
-  return std::make_unique<MultiCueBenchTracker>(presets().at(preset), object, cam, config);
+  return std::make_unique<MultiCueBenchTracker>(presets().at(preset), object, cam, config, cues);
 }
 
 } // namespace bench

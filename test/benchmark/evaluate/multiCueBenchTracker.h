@@ -11,7 +11,7 @@ std::vector<std::string> multiCuePresets();
 
 //! vpMbMultiCueTracker with one of its presets, see makeTracker().
 std::unique_ptr<BenchTracker> makeMultiCueTracker(const std::string &preset, const SequenceObject &object,
-                                                  const vpCameraParameters &cam, const std::string &config);
+                                                  const vpCameraParameters &cam, const std::string &config, int cues);
 
 } // namespace bench
 #endif

@@ -28,7 +28,8 @@ inline void frameOfGray(benchmark::State &state, BenchScene &scene)
   int k = 0;
   for (auto _ : state) {
     const vpCueFrame frame = source.frame(scene.image(k++), scene.camera(), nullptr);
-    benchmark::DoNotOptimize(frame.gray().bitmap);
+    const unsigned char *pixels = frame.gray().bitmap;
+    benchmark::DoNotOptimize(pixels);
   }
 }
 
@@ -38,7 +39,8 @@ inline void frameOfColor(benchmark::State &state, BenchScene &scene)
   vpFrameSource source;
   for (auto _ : state) {
     const vpCueFrame frame = source.frame(scene.colorImage(), scene.camera(), nullptr);
-    benchmark::DoNotOptimize(frame.gray().bitmap);
+    const unsigned char *pixels = frame.gray().bitmap;
+    benchmark::DoNotOptimize(pixels);
   }
 }
 
@@ -49,7 +51,8 @@ inline void frameOfDistorted(benchmark::State &state, BenchScene &scene)
   int k = 0;
   for (auto _ : state) {
     const vpCueFrame frame = source.frame(scene.image(k++), scene.distortedCamera(), nullptr);
-    benchmark::DoNotOptimize(frame.gray().bitmap);
+    const unsigned char *pixels = frame.gray().bitmap;
+    benchmark::DoNotOptimize(pixels);
   }
 }
 
@@ -286,7 +289,8 @@ inline void iterateVvs(benchmark::State &state, BenchScene &scene)
   VvsIteration iteration;
   for (auto _ : state) {
     const vpHomogeneousMatrix cMo = iteration.step(match.cue, match.cMo);
-    benchmark::DoNotOptimize(cMo.data);
+    const double *numbers = cMo.data;
+    benchmark::DoNotOptimize(numbers);
   }
   state.counters["rows"] = iteration.rows();
 }

@@ -67,13 +67,7 @@ void StartOptions::check() const
   if (dataset.empty() || scenes.empty() || trackers.empty() || out.empty()) {
     throw vpException(vpException::badValue, "--dataset, --scene, --tracker and --out are needed; --help says more");
   }
-  const std::vector<std::string> known = trackerNames();
-  for (const std::string &name : trackers) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw vpException(vpException::badValue, "--tracker: '%s' is not known; multicue-evaluate --help lists them",
-                        name.c_str());
-    }
-  }
+  requireTrackers(trackers);
   if (!(deviation.angle >= 0. && deviation.angle <= 180.)) {
     throw vpException(vpException::badValue, "--angle: %g is not within 0 and 180 degrees", deviation.angle);
   }
