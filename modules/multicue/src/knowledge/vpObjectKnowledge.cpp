@@ -2,8 +2,8 @@
 #include "knowledge/vpObjectKnowledge.h"
 
 #include "hypotheses/vpControlPointMotion.h"
+#include "knowledge/vpSurfaceTrust.h"
 #include "motion/vpTurnBetween.h"
-#include "search/vpPoseScore.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #ifndef vpPoseScore_h
 #define vpPoseScore_h
 
+#include "knowledge/vpSurfaceTrust.h"
 #include "search/vpPointProjection.h"
 
 #include <visp3/cues/vpColorOddsMap.h>
@@ -9,18 +10,9 @@
 #include <visp3/cues/vpSurfaceMemory.h>
 #include <visp3/model/vpViewSphere.h>
 
-#include <algorithm>
 #include <array>
 
 BEGIN_VISP_NAMESPACE
-
-// What places of the surface that were never seen count for: no evidence for a pose, and little against it.
-constexpr double vpUnknownCorrelation = 0.3;
-// How much the surface counts beside the other cues; texture: see vpSurfaceMemory. [0, 1].
-inline double vpSurfaceTrust(double texture)
-{
-  return std::min(1., 2. * texture);
-}
 
 /*
   How well an image shows the object at a pose, in microseconds: from a precomputed view, the oriented distances to
