@@ -19,8 +19,6 @@ const unsigned int neededFrames = 10;
 const double firstReach = 1.5;
 const double reachPerFrame = 0.5;
 const double mostReach = 4.;
-// By how much a hint has to be better than the pose that is tracked.
-const double leastGain = 0.05;
 } // namespace
 
 void vpEdgeFollower::forgetImages()
@@ -129,14 +127,14 @@ vpHomogeneousMatrix vpEdgeFollower::compareHint(const vpFrameContext &frame, con
   const bool isLost = m_outcome.isLost();
   const vpStartSearch &seen = m_starter.look(frame);
   const vpEdgeCue references = m_cues.edges();
-  double best = (isLost ? 0. : seen(tracked).total) + leastGain;
+  double best = (isLost ? 0. : seen(tracked).total) + vpHintedStarts::leastGain;
   std::optional<vpHomogeneousMatrix> taken;
   for (const vpHomogeneousMatrix &start : m_hints.take(frame)) {
     m_cues.edges().reset();
     const vpEstimate estimate = m_edges.from(frame, start, false);
     const double value = estimate.isFound ? seen(estimate.cMo).total : -HUGE_VAL;
     if (value > best) {
-      best = value + leastGain; // The hint itself comes first, and is likelier than those about it.
+      best = value + vpHintedStarts::leastGain; // The hint itself comes first, and is likelier than those about it.
       taken = estimate.cMo;
     }
   }

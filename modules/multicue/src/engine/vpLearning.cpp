@@ -6,7 +6,7 @@ BEGIN_VISP_NAMESPACE
 namespace {
 const double rightAtStart = 0.98; // Probability of a pose that the user gave.
 // What hides a part of the object is not to be learnt as a keyframe: share of the usual, by all other cues.
-const double wellExplained = 0.7;
+const double whole = 0.7;
 // Of a pose that is followed but not trusted: the filter takes its covariance times this.
 const double doubtOfMotion = 10.;
 const double mostOfMotion = 4.; // Squared distance from the expected pose, in deviations; beyond it, it jumped.
@@ -97,7 +97,7 @@ void vpLearning::learn(const vpFrameContext &frame, const vpHomogeneousMatrix &c
   if (m_outcome.isTracking()) {
     m_knowledge.learnUsual(verdict.agreement, m_proof.fallRateOfUsual(m_situation.trustedFrames));
   }
-  if (usesKeyframes() && verdict.share.sum > wellExplained * verdict.share.cues) {
+  if (usesKeyframes() && verdict.share.sum > whole * verdict.share.cues) {
     m_knowledge.learnKeyframe(frame.image, cMo, m_looks, false);
   }
   m_motion.learnSurprise(cMo, m_looks.model());

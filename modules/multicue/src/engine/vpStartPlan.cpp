@@ -12,8 +12,6 @@ const double leastMoved = 0.01;
 const double mostMoved = 0.4;
 // Of a pose that explains more where it was, a pose ahead may as well be its drift.
 const double valueToStay = 0.65;
-// By how much a hint has to be better than the pose that is tracked.
-const double leastGain = 0.05;
 } // namespace
 
 void vpStartPlan::run(const vpFrameContext &frame)
@@ -97,7 +95,7 @@ bool vpStartPlan::tryHint(const vpFrameContext &frame)
     m_motion.expect(start);
     isEnough = m_attempts.attempt(frame, {start, vpStart::BY_COLORS});
   }
-  if (m_attempts.best().value > before.value + leastGain) {
+  if (m_attempts.best().value > before.value + vpHintedStarts::leastGain) {
     m_motion.expect(m_attempts.best().cMo); // That it moved so far is no surprise.
     m_motion.forget();
     return isEnough;

@@ -15,6 +15,9 @@ BEGIN_VISP_NAMESPACE
 class vpHintedStarts
 {
 public:
+  //! By how much a hint has to be better than the pose that is tracked, in shares of what trusted poses had.
+  static constexpr double leastGain = 0.05;
+
   vpHintedStarts(const vpModelLooks &looks, vpImageScore &score, vpStartCapture &capture, vpRoughStart &rough)
       : m_looks(looks), m_score(score), m_capture(capture), m_rough(rough)
   {
