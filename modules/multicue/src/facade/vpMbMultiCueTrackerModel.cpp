@@ -158,9 +158,9 @@ void vpMbMultiCueTracker::resetTracker()
   modelInitialised = false;
   modelFileName.clear();
   m_cMo.eye();
-  m_error.resize(0);
-  m_w.resize(0);
-  covarianceMatrix.resize(0, 0);
+  m_error.clear(); // And not resize(0), which ViSP 3.5 does on memory that there is none of.
+  m_w.clear();
+  covarianceMatrix.clear();
   projectionError = 90.;
   m_impl->apply(settings);
   m_impl->take(*before);
