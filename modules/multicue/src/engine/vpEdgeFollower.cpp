@@ -28,11 +28,11 @@ void vpEdgeFollower::forgetImages()
 }
 
 // Whether the image shows the object at the pose that was estimated.
-void vpEdgeFollower::judge(const vpEstimate &estimate)
+vpHomogeneousMatrix vpEdgeFollower::judged(const vpEstimate &estimate)
 {
   m_outcome.judge(estimate.isFound, m_cues, m_minimiser.fusion(), m_settings.goodRatio);
   if (m_settings.searches) {
-    return; // judgeByMap() decides.
+    return estimate.cMo; // judgeByMap() decides.
   }
   m_verdict = m_judge.byEvidence(estimate.cMo);
   m_verdict.explained = estimate.isFound ? m_verdict.explained : 0.;
@@ -42,12 +42,7 @@ void vpEdgeFollower::judge(const vpEstimate &estimate)
     m_outcome.state = std::max(m_outcome.state, bySupport);
     m_outcome.reason = vpTrackingOutcome::reasonOf(m_outcome.state);
   }
-}
-
-vpEstimate vpEdgeFollower::judged(const vpEstimate &estimate)
-{
-  judge(estimate);
-  return estimate;
+  return estimate.cMo;
 }
 
 vpHomogeneousMatrix vpEdgeFollower::follow(const vpFrameContext &frame, const vpHomogeneousMatrix &expected,
@@ -58,11 +53,11 @@ vpHomogeneousMatrix vpEdgeFollower::follow(const vpFrameContext &frame, const vp
     const bool hasDropped = !m_settings.searches && shareBefore - m_verdict.explained > mostDrop;
     return hasDropped || m_outcome.isLost();
   };
-  vpHomogeneousMatrix cMo = judged(m_edges.estimate(frame, expected)).cMo;
+  vpHomogeneousMatrix cMo = judged(m_edges.estimate(frame, expected));
   if (isLost()) {
     // A jump of the light changes all contrasts at once: with others the edges may be there yet.
     m_cues.edges().adaptToLight(frame.image, m_looks.compute(frame, before));
-    cMo = judged(m_edges.estimate(frame, before)).cMo;
+    cMo = judged(m_edges.estimate(frame, before));
   }
   if (m_settings.searches) {
     return cMo;
@@ -84,8 +79,8 @@ vpHomogeneousMatrix vpEdgeFollower::captureAgain(const vpFrameContext &frame, co
   const double reach = std::min(firstReach + reachPerFrame * m_situation.framesSinceLoss, mostReach);
   const vpHomogeneousMatrix captured = m_capture.find(frame, m_motion.trusted.cMo, reach);
   m_cues.edges().reset();
-  const vpEstimate found = judged(m_edges.from(frame, captured, false));
-  return m_verdict.explained < share ? judged(m_edges.from(frame, cMo, false)).cMo : found.cMo;
+  const vpHomogeneousMatrix found = judged(m_edges.from(frame, captured, false));
+  return m_verdict.explained < share ? judged(m_edges.from(frame, cMo, false)) : found;
 }
 
 // Without a search nothing else is compared with a pose that was found after a loss: some frames have to show it.
@@ -147,11 +142,11 @@ vpHomogeneousMatrix vpEdgeFollower::compareHint(const vpFrameContext &frame, con
   if (!taken && isLost) {
     return cMo;
   }
-  const vpEstimate estimate = judged(m_edges.from(frame, cMo, false));
+  const vpHomogeneousMatrix refined = judged(m_edges.from(frame, cMo, false));
   if (m_edgesBeforeLoss) {
-    confirm(frame, estimate.cMo);
+    confirm(frame, refined);
   }
-  return estimate.cMo;
+  return refined;
 }
 
 END_VISP_NAMESPACE

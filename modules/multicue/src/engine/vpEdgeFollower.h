@@ -42,8 +42,7 @@ public:
   bool mustConfirm() const { return m_edgesBeforeLoss.has_value(); }
 
 private:
-  void judge(const vpEstimate &estimate);
-  vpEstimate judged(const vpEstimate &estimate);
+  vpHomogeneousMatrix judged(const vpEstimate &estimate);
   vpHomogeneousMatrix captureAgain(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo);
   void confirm(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo);
 

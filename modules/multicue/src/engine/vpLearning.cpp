@@ -26,11 +26,7 @@ void vpLearning::forget()
   m_minimiser.clear();
   m_edges.forgetImages();
   m_streams = vpRandomStreams();
-  const vpTrackingState state = m_outcome.state;
-  const std::string text = m_outcome.text;
   m_outcome = vpTrackingOutcome();
-  m_outcome.state = state;
-  m_outcome.text = text;
 }
 
 void vpLearning::trust(const vpHomogeneousMatrix &cMo, const vpPoseTangent &velocity)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/vpMultiCueEngine.h"
 
-#include "frame/vpStopwatch.h"
-
 BEGIN_VISP_NAMESPACE
 
 namespace {
@@ -48,7 +46,6 @@ void vpMultiCueEngine::setModel(vpTrackedModel &&model)
   m_knowledge.setModel(looks.model(), samples);
   m_halfTurns.setModel(looks.model(), samples);
   forgetImages();
-  outcome.state = vpTrackingState::UNCERTAIN;
 }
 
 void vpMultiCueEngine::forgetImages()
@@ -69,7 +66,6 @@ void vpMultiCueEngine::start(unsigned int width, unsigned int height, const vpHo
   looks.setSize(width, height);
   forgetImages();
   rough.clear();
-  outcome.state = vpTrackingState::UNCERTAIN;
   outcome.text = "no image was tracked yet";
 }
 

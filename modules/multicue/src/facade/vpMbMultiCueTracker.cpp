@@ -10,6 +10,15 @@
 
 BEGIN_VISP_NAMESPACE
 
+namespace {
+void requireImage(unsigned int width, unsigned int height)
+{
+  if (width == 0 || height == 0) {
+    throw vpException(vpException::dimensionError, "The image is empty (%u x %u): give one with pixels", width, height);
+  }
+}
+} // namespace
+
 vpMbMultiCueTracker::vpMbMultiCueTracker(vpTrackerType type) : m_impl(std::make_unique<Impl>(*this))
 {
   setTrackerType(type);
@@ -50,17 +59,13 @@ void vpMbMultiCueTracker::computeVVSInteractionMatrixAndResidu()
 void vpMbMultiCueTracker::Impl::requireTrackable(unsigned int width, unsigned int height) const
 {
   m_engine.looks.requireModel();
-  if (width == 0 || height == 0) {
-    throw vpException(vpException::dimensionError, "The image is empty (%u x %u): give one with pixels", width, height);
-  }
+  requireImage(width, height);
 }
 
 void vpMbMultiCueTracker::Impl::requireStart(unsigned int width, unsigned int height, const vpTrackedModel &model,
                                              const vpHomogeneousMatrix &cMo) const
 {
-  if (width == 0 || height == 0) {
-    throw vpException(vpException::dimensionError, "The image is empty (%u x %u): give one with pixels", width, height);
-  }
+  requireImage(width, height);
   vpPoseCheck::requireRigid(cMo);
   vpPoseCheck::requireInView(model, cMo, m_tracker.m_cam, width, height);
 }

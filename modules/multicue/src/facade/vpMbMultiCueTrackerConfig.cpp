@@ -70,16 +70,11 @@ vpEdgeCueSettings vpMbMultiCueTracker::getEdgeSettings() const
   return m_impl->engine().cues.edges().settings();
 }
 
-void vpMbMultiCueTracker::Impl::setPointSettings(const vpPointCueSettings &settings)
-{
-  m_engine.cues.pointPart().setSettings(settings);
-}
-
 void vpMbMultiCueTracker::setKltOpencv(const vpKltOpencv &klt)
 {
   vpPointCueSettings settings = m_impl->engine().cues.pointPart().settings();
   settings.set(klt);
-  m_impl->setPointSettings(settings);
+  m_impl->engine().cues.pointPart().setSettings(settings);
 }
 
 vpKltOpencv vpMbMultiCueTracker::getKltOpencv() const
@@ -100,7 +95,7 @@ void vpMbMultiCueTracker::setKltMaskBorder(const unsigned int &border)
 {
   vpPointCueSettings settings = m_impl->engine().cues.pointPart().settings();
   settings.maskBorder = border;
-  m_impl->setPointSettings(settings);
+  m_impl->engine().cues.pointPart().setSettings(settings);
 }
 
 unsigned int vpMbMultiCueTracker::getKltMaskBorder() const
@@ -112,7 +107,7 @@ void vpMbMultiCueTracker::setKltThresholdAcceptation(double threshold)
 {
   vpPointCueSettings settings = m_impl->engine().cues.pointPart().settings();
   settings.leastWeight = threshold;
-  m_impl->setPointSettings(settings);
+  m_impl->engine().cues.pointPart().setSettings(settings);
 }
 
 double vpMbMultiCueTracker::getKltThresholdAcceptation() const

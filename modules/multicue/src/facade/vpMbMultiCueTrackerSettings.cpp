@@ -77,7 +77,7 @@ void vpMbMultiCueTracker::Impl::apply(const vpMultiCueSettings &settings)
   m_tracker.setParticleSettings(settings.particles);
   options.sampleStep = settings.view.sampleStep;
   options.textureEdges = settings.view.textureEdges;
-  setPointSettings(settings.klt);
+  m_engine.cues.pointPart().setSettings(settings.klt);
   m_tracker.setTrackerType(settings.cues);
   m_tracker.setColorSettings(settings.color);
   m_tracker.setPrediction(settings.predicts, settings.prediction);

@@ -33,7 +33,6 @@ public:
   void take(const Impl &before);
   //! The default constructor's preset, which nobody asked for.
   void assumePreset();
-  void setPointSettings(const vpPointCueSettings &settings);
   void updatePointFilter();
   //@}
 

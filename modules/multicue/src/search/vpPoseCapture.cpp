@@ -92,12 +92,12 @@ vpHomogeneousMatrix vpPoseCapture::drawn(const vpHomogeneousMatrix &start, const
   return vpPoseExponential::fromEigen(pose * toCentre * moved * toCentre.inverse());
 }
 
-vpPoseCapture::Result vpPoseCapture::find(const vpCueFrame &frame, const vpHomogeneousMatrix &start, double reach,
+vpPoseCapture::Result vpPoseCapture::find(const vpCueFrame &frame, const vpTrackedModel &model,
+                                          const vpHomogeneousMatrix &start, double reach,
                                           const vpEdgeCueSettings &settings, const vpPoseMatrix6 &freeMotions,
                                           const ViewAt &viewAt, std::uint64_t stream)
 {
   const double offset = reach * usualOffset;
-  const vpTrackedModel &model = viewAt(start).model();
   Result best = judge(frame, start, start, offset, settings, viewAt);
   best.value += leastGain;
   for (std::uint64_t i = 0; i <= starts; ++i) {

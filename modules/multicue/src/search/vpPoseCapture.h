@@ -38,7 +38,7 @@ public:
   // The given pose where no other one is better by much. reach: how far off the start may be, in usual offsets.
   // settings: how edges are searched for once the pose is right. freeMotions: see vpPoseSolver. stream: of random
   // numbers.
-  Result find(const vpCueFrame &frame, const vpHomogeneousMatrix &start, double reach,
+  Result find(const vpCueFrame &frame, const vpTrackedModel &model, const vpHomogeneousMatrix &start, double reach,
               const vpEdgeCueSettings &settings, const vpPoseMatrix6 &freeMotions, const ViewAt &viewAt,
               std::uint64_t stream);
 

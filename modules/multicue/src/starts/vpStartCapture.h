@@ -24,8 +24,9 @@ public:
       return m_looks.compute(frame, pose);
     };
     const vpModelView before = viewAt(cMo);
-    const vpPoseCapture::Result found = m_capture.find(frame.image, cMo, reach, m_cues.edges().settings(),
-                                                       m_edges.freeMotions(), viewAt, frame.streams.captures++);
+    const vpPoseCapture::Result found =
+        m_capture.find(frame.image, m_looks.model(), cMo, reach, m_cues.edges().settings(), m_edges.freeMotions(),
+                       viewAt, frame.streams.captures++);
     m_looks.continueFrom(before); // The poses that were tried saw other faces.
     return found.cMo;
   }

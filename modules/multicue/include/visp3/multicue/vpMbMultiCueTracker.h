@@ -3,7 +3,6 @@
 #define vpMbMultiCueTracker_h
 
 #include <visp3/cues/vpColorCueSettings.h>
-#include <visp3/cues/vpImageRegion.h>
 #include <visp3/model/vpModelSymmetries.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
 #include <visp3/multicue/vpMbOneCamera.h>
