@@ -4,10 +4,9 @@
   Starts trackers at poses that are off by some pixels, and shifts images under them: who finds the object, and who says
   that it was lost.
 */
+#include "program/runProgram.h"
 #include "disturb/disturbTrials.h"
 #include "program/threads.h"
-
-#include <visp3/core/vpException.h>
 
 #include <cstdio>
 #include <iostream>
@@ -24,7 +23,7 @@ void print(const std::string &tracker, const std::string &what, const bench::Dis
 
 int main(int argc, const char *argv[])
 {
-  try {
+  return bench::runProgram([&] {
     bench::DisturbOptions options;
     if (!options.read(argc, argv)) {
       return 0;
@@ -44,10 +43,5 @@ int main(int argc, const char *argv[])
       }
     }
     return 0;
-  } catch (const vpException &e) {
-    std::cerr << e.getStringMessage() << std::endl;
-  } catch (const std::exception &e) {
-    std::cerr << e.what() << std::endl;
-  }
-  return 1;
+  });
 }

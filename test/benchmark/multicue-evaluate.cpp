@@ -3,12 +3,11 @@
   \file multicue-evaluate.cpp
   Runs trackers, ours and ViSP's, on sequences with ground truth, and writes tables and pictures of who holds what.
 */
+#include "program/runProgram.h"
 #include "evaluate/evaluation.h"
 #include "evaluate/htmlReport.h"
 #include "evaluate/stateTables.h"
 #include "evaluate/tables.h"
-
-#include <visp3/core/vpException.h>
 
 #include <iostream>
 
@@ -23,7 +22,7 @@ void printFailures(const char *title, const std::vector<bench::Failure> &failure
 
 int main(int argc, const char *argv[])
 {
-  try {
+  return bench::runProgram([&] {
     bench::EvaluateOptions options;
     if (!options.read(argc, argv)) {
       return 0;
@@ -42,10 +41,5 @@ int main(int argc, const char *argv[])
     printFailures("Left out:", evaluation.skipped);
     printFailures("FAILED:", evaluation.failures);
     return evaluation.failures.empty() && !evaluation.runs.empty() ? 0 : 1;
-  } catch (const vpException &e) {
-    std::cerr << e.getStringMessage() << std::endl;
-  } catch (const std::exception &e) {
-    std::cerr << e.what() << std::endl;
-  }
-  return 1;
+  });
 }

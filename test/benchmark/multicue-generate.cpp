@@ -3,11 +3,11 @@
   \file multicue-generate.cpp
   Renders image sequences of moving objects with their true poses.
 */
+#include "program/runProgram.h"
 #include "generate/generateOptions.h"
 
 #include "program/progressBar.h"
 
-#include <visp3/core/vpException.h>
 #include <visp3/core/vpTime.h>
 
 #include <iostream>
@@ -29,7 +29,7 @@ void generate(const bench::SceneOptions &options)
 
 int main(int argc, const char *argv[])
 {
-  try {
+  return bench::runProgram([&] {
     bench::GenerateOptions options;
     if (!options.read(argc, argv)) {
       return 0;
@@ -43,10 +43,5 @@ int main(int argc, const char *argv[])
       }
     }
     return 0;
-  } catch (const vpException &e) {
-    std::cerr << e.getStringMessage() << std::endl;
-  } catch (const std::exception &e) {
-    std::cerr << e.what() << std::endl;
-  }
-  return 1;
+  });
 }

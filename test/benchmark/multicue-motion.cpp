@@ -4,6 +4,7 @@
   Tells how far an object moves and turns from frame to frame in sequences with ground truth, and how well its motion
   can be predicted.
 */
+#include "program/runProgram.h"
 #include "dataset/motionFigures.h"
 #include "dataset/sequence.h"
 #include "evaluate/evaluation.h"
@@ -48,7 +49,7 @@ void measure(const bench::Sequence &sequence, int frames)
 
 int main(int argc, const char *argv[])
 {
-  try {
+  return bench::runProgram([&] {
     std::string dataset;
     std::vector<std::string> scenes;
     int frames = 0;
@@ -70,10 +71,5 @@ int main(int argc, const char *argv[])
       measure(bench::openSequence(dataset, scene), frames);
     }
     return 0;
-  } catch (const vpException &e) {
-    std::cerr << e.getStringMessage() << std::endl;
-  } catch (const std::exception &e) {
-    std::cerr << e.what() << std::endl;
-  }
-  return 1;
+  });
 }

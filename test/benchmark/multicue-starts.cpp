@@ -4,16 +4,15 @@
   Starts trackers at poses that are off the truth, or where the object is not, and tells how often they find it and how
   often they say so.
 */
+#include "program/runProgram.h"
 #include "evaluate/runFiles.h"
 #include "starts/startTrials.h"
-
-#include <visp3/core/vpException.h>
 
 #include <iostream>
 
 int main(int argc, const char *argv[])
 {
-  try {
+  return bench::runProgram([&] {
     bench::StartOptions options;
     if (!options.read(argc, argv)) {
       return 0;
@@ -31,10 +30,5 @@ int main(int argc, const char *argv[])
       std::cerr << "FAILED: " << failure << "\n";
     }
     return results.failures.empty() && !results.records.empty() ? 0 : 1;
-  } catch (const vpException &e) {
-    std::cerr << e.getStringMessage() << std::endl;
-  } catch (const std::exception &e) {
-    std::cerr << e.what() << std::endl;
-  }
-  return 1;
+  });
 }

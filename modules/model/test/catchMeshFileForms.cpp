@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
 #include "fileVariants.h"
 #include "meshFiles.h"
@@ -12,14 +13,9 @@ namespace {
 const std::string points = "v 0 0 0\nv 0.2 0 0\nv 0 0.3 0\nv 0 0 0.4\n";
 const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
-std::string messageOf(const std::string &file)
+std::string messageOfFile(const std::string &file)
 {
-  try {
-    vpModelReader::read(file);
-  } catch (const vpException &e) {
-    return e.getMessage();
-  }
-  return "no exception";
+  return messageOf([&file] { vpModelReader::read(file); });
 }
 
 void requireTetrahedron(const vpTrackedModel &model)
@@ -71,7 +67,7 @@ TEST_CASE("Lines of an .obj file that are wrong are told by their number", "[fil
                                   {"wv 1 2 3", "keyword"},
                                   {"v 0 0 0 256 0 0", "colour"}}) {
     CAPTURE(bad);
-    CHECK_THAT(messageOf(folder.write("wrong.obj", points + bad + "\n" + faces)),
+    CHECK_THAT(messageOfFile(folder.write("wrong.obj", points + bad + "\n" + faces)),
                ContainsSubstring("wrong.obj', line 5") && ContainsSubstring(told));
   }
 }
@@ -181,13 +177,13 @@ TEST_CASE("Counts of a .ply file that its data do not have are told", "[files]")
 {
   const meshFiles::TemporaryFolder folder;
   const std::string body = plyPoints + plyFaces;
-  CHECK_THAT(messageOf(folder.write("less.ply", plyHeader("4", faceElement) + plyPoints + plyFaces.substr(0, 16))),
+  CHECK_THAT(messageOfFile(folder.write("less.ply", plyHeader("4", faceElement) + plyPoints + plyFaces.substr(0, 16))),
              ContainsSubstring("less.ply") && ContainsSubstring("cut off"));
-  CHECK_THAT(messageOf(folder.write("more.ply", plyHeader("4", faceElement) + body + "3 0 1 2\n")),
+  CHECK_THAT(messageOfFile(folder.write("more.ply", plyHeader("4", faceElement) + body + "3 0 1 2\n")),
              ContainsSubstring("more.ply") && ContainsSubstring("too small"));
-  CHECK_THAT(messageOf(folder.write("huge.ply", plyHeader("90000000", faceElement) + body)),
+  CHECK_THAT(messageOfFile(folder.write("huge.ply", plyHeader("90000000", faceElement) + body)),
              ContainsSubstring("huge.ply") && ContainsSubstring("90000000"));
-  CHECK_THAT(messageOf(folder.write("index.ply", plyHeader("3", faceElement) + plyPoints.substr(0, 22) + plyFaces)),
+  CHECK_THAT(messageOfFile(folder.write("index.ply", plyHeader("3", faceElement) + plyPoints.substr(0, 22) + plyFaces)),
              ContainsSubstring("index.ply") && ContainsSubstring("index 3"));
 }
 

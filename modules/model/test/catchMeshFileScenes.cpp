@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
 #include "fileVariants.h"
 #include "meshFiles.h"
@@ -30,14 +31,9 @@ std::string visualScene(const std::string &nodes)
   return "<library_visual_scenes><visual_scene id=\"s\">" + nodes + "</visual_scene></library_visual_scenes>";
 }
 
-std::string messageOf(const std::string &file)
+std::string messageOfFile(const std::string &file)
 {
-  try {
-    vpModelReader::read(file);
-  } catch (const vpException &e) {
-    return e.getMessage();
-  }
-  return "no exception";
+  return messageOf([&file] { vpModelReader::read(file); });
 }
 
 std::string replaced(std::string text, const std::string &from, const std::string &to)
@@ -58,11 +54,11 @@ TEST_CASE("A .dae file of nodes alone has no triangles", "[files]")
   const std::string rig =
       "<node id=\"rig\"><node id=\"a\"><translate>0.1 0 0</translate><node id=\"b\"><translate>0 0.2 "
       "0</translate></node></node></node>";
-  CHECK_THAT(messageOf(folder.write("rig.dae", daeStart + visualScene(rig) + daeEnd)),
+  CHECK_THAT(messageOfFile(folder.write("rig.dae", daeStart + visualScene(rig) + daeEnd)),
              ContainsSubstring("rig.dae' has no triangles"));
   const std::string typo =
       replaced(rig, "</translate></node>", "</translate><instance_geometry url=\"#typo\"/></node>");
-  CHECK_THAT(messageOf(folder.write("typo.dae", daeStart + geometry() + visualScene(typo) + daeEnd)),
+  CHECK_THAT(messageOfFile(folder.write("typo.dae", daeStart + geometry() + visualScene(typo) + daeEnd)),
              ContainsSubstring("typo.dae' has no triangles") && ContainsSubstring("#typo"));
 }
 
@@ -70,16 +66,17 @@ TEST_CASE("A .dae file with a part that is missing, or with unit 0", "[files]")
 {
   const meshFiles::TemporaryFolder folder;
   const std::string good = meshFiles::dae(box(), "<unit meter=\"1\"/>");
-  CHECK_THAT(messageOf(folder.write("unit.dae", replaced(good, "meter=\"1\"", "meter=\"0\""))),
+  CHECK_THAT(messageOfFile(folder.write("unit.dae", replaced(good, "meter=\"1\"", "meter=\"0\""))),
              ContainsSubstring("unit.dae") && ContainsSubstring("unit 0"));
-  CHECK_THAT(messageOf(folder.write("lost.dae", replaced(good, "url=\"#g\"", "url=\"#gg\""))),
+  CHECK_THAT(messageOfFile(folder.write("lost.dae", replaced(good, "url=\"#g\"", "url=\"#gg\""))),
              ContainsSubstring("lost.dae") && ContainsSubstring("no triangles") && ContainsSubstring("#gg"));
-  CHECK_THAT(messageOf(folder.write("two.dae", replaced(good, "<instance_geometry url=\"#g\"/>",
-                                                        "<instance_geometry url=\"#g\"/><instance_geometry "
-                                                        "url=\"#h\"/>"))),
+  CHECK_THAT(messageOfFile(folder.write("two.dae", replaced(good, "<instance_geometry url=\"#g\"/>",
+                                                            "<instance_geometry url=\"#g\"/><instance_geometry "
+                                                            "url=\"#h\"/>"))),
              ContainsSubstring("two.dae") && ContainsSubstring("#h"));
-  CHECK_THAT(messageOf(folder.write("count.dae", replaced(good, "<triangles count=\"12\"", "<triangles count=\"14\""))),
-             ContainsSubstring("count.dae") && ContainsSubstring("14"));
+  CHECK_THAT(
+      messageOfFile(folder.write("count.dae", replaced(good, "<triangles count=\"12\"", "<triangles count=\"14\""))),
+      ContainsSubstring("count.dae") && ContainsSubstring("14"));
 }
 
 TEST_CASE("Nodes that contain themselves, are nested deeply, or multiply, are refused", "[files]")
@@ -88,7 +85,7 @@ TEST_CASE("Nodes that contain themselves, are nested deeply, or multiply, are re
   const std::string self = "<library_nodes><node id=\"a\"><instance_node url=\"#a\"/><instance_geometry url=\"#g\"/>"
                            "</node></library_nodes>";
   const std::string use = visualScene("<node id=\"n\"><instance_node url=\"#a\"/></node>");
-  CHECK_THAT(messageOf(folder.write("self.dae", daeStart + geometry() + self + use + daeEnd)),
+  CHECK_THAT(messageOfFile(folder.write("self.dae", daeStart + geometry() + self + use + daeEnd)),
              ContainsSubstring("self.dae") && ContainsSubstring("itself"));
   std::string deep;
   for (int i = 0; i < 20000; ++i) {
@@ -98,7 +95,7 @@ TEST_CASE("Nodes that contain themselves, are nested deeply, or multiply, are re
   for (int i = 0; i < 20000; ++i) {
     deep += "</node>";
   }
-  CHECK_THAT(messageOf(folder.write("deep.dae", daeStart + geometry() + visualScene(deep) + daeEnd)),
+  CHECK_THAT(messageOfFile(folder.write("deep.dae", daeStart + geometry() + visualScene(deep) + daeEnd)),
              ContainsSubstring("deep.dae") && ContainsSubstring("nested"));
   std::string many = "<library_nodes><node id=\"a0\"><instance_geometry url=\"#g\"/></node>";
   for (int i = 1; i <= 40; ++i) {
@@ -106,11 +103,13 @@ TEST_CASE("Nodes that contain themselves, are nested deeply, or multiply, are re
     many += "<node id=\"a" + std::to_string(i) + "\">" + one + one + "</node>";
   }
   many += "</library_nodes>" + visualScene("<node><instance_node url=\"#a40\"/></node>");
-  CHECK_THAT(messageOf(folder.write("many.dae", daeStart + geometry() + many + daeEnd)), ContainsSubstring("many.dae"));
+  CHECK_THAT(messageOfFile(folder.write("many.dae", daeStart + geometry() + many + daeEnd)),
+             ContainsSubstring("many.dae"));
 
-  CHECK_THAT(messageOf(folder.write("self.gltf", replaced(gltf(""), "{\"mesh\":0", "{\"children\":[0],\"mesh\":0"))),
-             ContainsSubstring("self.gltf") && ContainsSubstring("itself"));
-  CHECK_THAT(messageOf(folder.write("json.gltf", std::string(200000, '['))), ContainsSubstring("json.gltf"));
+  CHECK_THAT(
+      messageOfFile(folder.write("self.gltf", replaced(gltf(""), "{\"mesh\":0", "{\"children\":[0],\"mesh\":0"))),
+      ContainsSubstring("self.gltf") && ContainsSubstring("itself"));
+  CHECK_THAT(messageOfFile(folder.write("json.gltf", std::string(200000, '['))), ContainsSubstring("json.gltf"));
 }
 
 TEST_CASE("Names of a .gltf file's buffers and images may be percent-encoded", "[files]")
@@ -128,7 +127,7 @@ TEST_CASE("Extensions that a .gltf file requires have to be known", "[files]")
   const meshFiles::TemporaryFolder folder;
   folder.write("box.bin", meshFiles::floats(box()));
   for (const std::string name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
-    CHECK_THAT(messageOf(folder.write("needs.gltf", gltf("\"extensionsRequired\":[\"" + name + "\"],"))),
+    CHECK_THAT(messageOfFile(folder.write("needs.gltf", gltf("\"extensionsRequired\":[\"" + name + "\"],"))),
                ContainsSubstring("needs.gltf") && ContainsSubstring(name));
   }
   const std::string look = "\"extensionsRequired\":[\"KHR_materials_unlit\"],";
@@ -151,11 +150,11 @@ TEST_CASE("Accessors of a .gltf file have to be in their buffers", "[files]")
   folder.write("box.bin", meshFiles::floats(box()));
   for (const std::string count : {"37", "39", "4294967295", "-3", "1e9"}) {
     CAPTURE(count);
-    CHECK_THAT(messageOf(folder.write("count.gltf", replaced(gltf(""), "\"count\":36", "\"count\":" + count))),
+    CHECK_THAT(messageOfFile(folder.write("count.gltf", replaced(gltf(""), "\"count\":36", "\"count\":" + count))),
                ContainsSubstring("count.gltf"));
   }
   folder.write("box.bin", meshFiles::floats(box()).substr(0, 200));
-  CHECK_THAT(messageOf(folder.write("cut.gltf", gltf(""))), ContainsSubstring("cut.gltf"));
+  CHECK_THAT(messageOfFile(folder.write("cut.gltf", gltf(""))), ContainsSubstring("cut.gltf"));
 }
 
 TEST_CASE("A scene far from its origin, where 32-bit floats lose the shape, is refused, or the report warns", "[files]")
@@ -168,5 +167,5 @@ TEST_CASE("A scene far from its origin, where 32-bit floats lose the shape, is r
   };
   CHECK(vpModelReader::read(at(10.)).report().warnings.empty());
   CHECK(vpModelReader::read(at(2000.)).report().warnings.size() == 1);
-  CHECK_THAT(messageOf(at(900000.)), ContainsSubstring("far.dae") && ContainsSubstring("origin"));
+  CHECK_THAT(messageOfFile(at(900000.)), ContainsSubstring("far.dae") && ContainsSubstring("origin"));
 }

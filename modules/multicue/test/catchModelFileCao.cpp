@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
 #include <fileVariants.h>
 #include <meshFiles.h>
@@ -32,12 +33,7 @@ public:
 
   std::string messageOf(const std::string &content) const
   {
-    try {
-      readText(content);
-    } catch (const vpException &e) {
-      return e.getMessage();
-    }
-    return "no exception";
+    return ::messageOf([&] { readText(content); });
   }
 
   std::string faults(const std::string &right, const std::vector<Variant> &variants) const

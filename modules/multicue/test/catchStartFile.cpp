@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
 #include "renderedBox.h"
 
@@ -9,16 +10,6 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 namespace {
-template <typename Call> std::string messageOf(const Call &call)
-{
-  try {
-    call();
-  } catch (const vpException &e) {
-    return e.getMessage();
-  }
-  return "no exception";
-}
-
 struct Fixture
 {
   Fixture()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
 #include "renderedBox.h"
 
@@ -38,15 +39,6 @@ struct Fixture
   vpImage<unsigned char> I;
 };
 
-template <typename Call> std::string messageOf(const Call &call)
-{
-  try {
-    call();
-  } catch (const vpException &e) {
-    return e.getMessage();
-  }
-  return "no exception";
-}
 } // namespace
 
 TEST_CASE("A model file that is missing, empty or broken is refused by name, and the old model stays", "[tracker]")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
 #include "renderedBox.h"
 
@@ -13,16 +14,6 @@
 
 namespace {
 using Tracker = vpMbMultiCueTracker;
-
-template <typename Call> std::string messageOf(const Call &call)
-{
-  try {
-    call();
-  } catch (const vpException &e) {
-    return e.getMessage();
-  }
-  return "no exception";
-}
 
 // Whether a call compiles.
 template <typename... Arguments>

@@ -3,8 +3,8 @@
 #include "evaluate/evaluateOptions.h"
 
 #include <catchMain.h>
+#include <exceptionMessage.h>
 
-#include <visp3/core/vpException.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 using namespace bench;
@@ -21,12 +21,7 @@ EvaluateOptions read(const std::vector<const char *> &more)
 
 std::string refusalOf(const std::vector<const char *> &more)
 {
-  try {
-    read(more);
-  } catch (const vpException &e) {
-    return e.getStringMessage();
-  }
-  return "";
+  return messageOf([&more] { read(more); });
 }
 } // namespace
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef exceptionMessage_h
+#define exceptionMessage_h
+
+#include <visp3/core/vpException.h>
+
+#include <string>
+
+//! \return The message of ViSP's exception that a call ends with; "no exception" where it ends without one.
+template <typename Call> std::string messageOf(const Call &call)
+{
+  try {
+    call();
+  } catch (const vpException &e) {
+    return e.getMessage();
+  }
+  return "no exception";
+}
+
+#endif
