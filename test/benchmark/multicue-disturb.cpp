@@ -4,8 +4,8 @@
   Starts trackers at poses that are off by some pixels, and shifts images under them: who finds the object, and who says
   that it was lost.
 */
-#include "program/runProgram.h"
 #include "disturb/disturbTrials.h"
+#include "program/runProgram.h"
 #include "program/threads.h"
 
 #include <cstdio>

@@ -3,11 +3,11 @@
   \file multicue-evaluate.cpp
   Runs trackers, ours and ViSP's, on sequences with ground truth, and writes tables and pictures of who holds what.
 */
-#include "program/runProgram.h"
 #include "evaluate/evaluation.h"
 #include "evaluate/htmlReport.h"
 #include "evaluate/stateTables.h"
 #include "evaluate/tables.h"
+#include "program/runProgram.h"
 
 #include <iostream>
 

@@ -3,10 +3,10 @@
   \file multicue-generate.cpp
   Renders image sequences of moving objects with their true poses.
 */
-#include "program/runProgram.h"
 #include "generate/generateOptions.h"
 
 #include "program/progressBar.h"
+#include "program/runProgram.h"
 
 #include <visp3/core/vpTime.h>
 

@@ -4,11 +4,11 @@
   Tells how far an object moves and turns from frame to frame in sequences with ground truth, and how well its motion
   can be predicted.
 */
-#include "program/runProgram.h"
 #include "dataset/motionFigures.h"
 #include "dataset/sequence.h"
 #include "evaluate/evaluation.h"
 #include "program/commandLine.h"
+#include "program/runProgram.h"
 
 #include <visp3/core/vpException.h>
 

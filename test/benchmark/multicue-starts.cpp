@@ -4,8 +4,8 @@
   Starts trackers at poses that are off the truth, or where the object is not, and tells how often they find it and how
   often they say so.
 */
-#include "program/runProgram.h"
 #include "evaluate/runFiles.h"
+#include "program/runProgram.h"
 #include "starts/startTrials.h"
 
 #include <iostream>

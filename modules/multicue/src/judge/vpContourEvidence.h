@@ -26,8 +26,8 @@ public:
 
   //! \param edges As they were matched near the pose.
   void set(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo);
-  //! D beyond chance, in places. It is for the other pose (below 0) only where most of what that one has alone is there: what hides
-  //! the object takes contours away, and shows none.
+  //! D beyond chance, in places. It is for the other pose (below 0) only where most of what that one has alone is
+  //! there: what hides the object takes contours away, and shows none.
   double advantageOver(const vpContourEvidence &other) const;
   //! \param advantage In places. \return What it says in one image, as a logarithm of odds: far below what it would be
   //! for each place by itself, since neighbours are alike, and limited, since images on end are.
