@@ -23,7 +23,7 @@ void print(const std::string &tracker, const std::string &what, const bench::Dis
 
 int main(int argc, const char *argv[])
 {
-  return bench::runProgram([&] {
+  return programs::runProgram([&] {
     bench::DisturbOptions options;
     if (!options.read(argc, argv)) {
       return 0;

@@ -22,7 +22,7 @@ void printFailures(const char *title, const std::vector<bench::Failure> &failure
 
 int main(int argc, const char *argv[])
 {
-  return bench::runProgram([&] {
+  return programs::runProgram([&] {
     bench::EvaluateOptions options;
     if (!options.read(argc, argv)) {
       return 0;

@@ -29,7 +29,7 @@ void generate(const bench::SceneOptions &options)
 
 int main(int argc, const char *argv[])
 {
-  return bench::runProgram([&] {
+  return programs::runProgram([&] {
     bench::GenerateOptions options;
     if (!options.read(argc, argv)) {
       return 0;

@@ -49,13 +49,14 @@ void measure(const bench::Sequence &sequence, int frames)
 
 int main(int argc, const char *argv[])
 {
-  return bench::runProgram([&] {
+  return programs::runProgram([&] {
     std::string dataset;
     std::vector<std::string> scenes;
     int frames = 0;
-    bench::CommandLine line("Tells how far an object moves and turns from frame to frame, and how far off a prediction "
-                            "with\nconstant velocity is: mean (10 % / median / 90 %) over the frames.\n\n"
-                            "A data set in BOP's or RBOT's layout:  --dataset DIR --scene NAME");
+    programs::CommandLine line(
+        "Tells how far an object moves and turns from frame to frame, and how far off a prediction "
+        "with\nconstant velocity is: mean (10 % / median / 90 %) over the frames.\n\n"
+        "A data set in BOP's or RBOT's layout:  --dataset DIR --scene NAME");
     line.add("--dataset", "folder of the data set", dataset);
     line.add("--scene", "scenes, separated by commas, or 'all'", scenes);
     line.add("--frames", "only that many frames of each scene", frames, 3);

@@ -12,7 +12,7 @@
 
 int main(int argc, const char *argv[])
 {
-  return bench::runProgram([&] {
+  return programs::runProgram([&] {
     bench::StartOptions options;
     if (!options.read(argc, argv)) {
       return 0;

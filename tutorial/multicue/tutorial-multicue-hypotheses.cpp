@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //! \example tutorial-multicue-hypotheses.cpp
 // Draws what one image offers a pose: candidates, potential edges, and the poses that they allow.
-#include "filePattern.h"
-#include "frameReader.h"
-#include "initFiles.h"
-#include "trackerOptions.h"
-
 #include <visp3/core/vpImageConvert.h>
+#include <visp3/core/vpPoseVector.h>
 #include <visp3/cues/vpFrameSource.h>
+#include <visp3/io/vpImageIo.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <fstream>
 #include <iostream>
+
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
 
 namespace {
 cv::Point2d toPoint(const Eigen::Vector2d &pixel)
@@ -41,12 +43,24 @@ cv::Rect surroundings(const vpModelView &view, const cv::Size &size)
          cv::Rect(cv::Point(0, 0), size);
 }
 
-void write(const std::string &pattern, int number, const cv::Mat &picture)
+void write(const std::string &file, const cv::Mat &picture)
 {
-  const std::string file = FilePattern(pattern).name(number);
   if (!cv::imwrite(file, picture)) {
-    throw vpException(vpException::ioError, "--save " + file + " cannot be written: is there such a folder?");
+    throw vpException(vpException::ioError, file + " cannot be written: is there such a folder?");
   }
+}
+
+// ViSP's .pos files: translation and theta u.
+vpHomogeneousMatrix readPose(const std::string &file)
+{
+  std::ifstream stream(file);
+  vpPoseVector pose;
+  for (unsigned int i = 0; i < 6; ++i) {
+    if (!(stream >> pose[i])) {
+      throw vpException(vpException::ioError, file + " does not hold the six numbers of a pose");
+    }
+  }
+  return vpHomogeneousMatrix(pose);
 }
 
 //! [Candidates]
@@ -105,22 +119,17 @@ void print(const std::vector<vpPoseHypothesis> &found)
   }
 }
 
-void run(const TrackerOptions &options)
+void run(const std::string &file, const std::string &model, const std::string &config, const std::string &pose,
+         const std::string &folder)
 {
-  if (options.initPose.empty() || options.save.empty()) {
-    throw vpException(vpException::badValue, "Give --init-pose and --save with a pattern such as seen%d.png");
-  }
   vpImage<vpRGBa> I;
-  if (!openFrames(options)->next(I)) {
-    throw vpException(vpException::ioError, "There is no frame: is --first beyond the end?");
-  }
+  vpImageIo::read(I, file);
   vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
-  tracker.loadConfigFile(options.config, false);
-  tracker.setModelUnit(options.metresPerUnit);
-  tracker.loadModel(options.model);
+  tracker.loadConfigFile(config, false);
+  tracker.loadModel(model);
 
   //! [Find]
-  const vpHomogeneousMatrix cMo = readPose(options.initPose);
+  const vpHomogeneousMatrix cMo = readPose(pose);
   vpCameraParameters cam;
   tracker.getCameraParameters(cam);
   const std::unique_ptr<vpModelRenderer> renderer = vpModelRenderer::create(tracker.getModel());
@@ -143,22 +152,21 @@ void run(const TrackerOptions &options)
   drawPotentialEdges(lines, hypotheses);
   drawPoses(image, tracker, found);
   const cv::Rect part = surroundings(view, image.size());
-  write(options.save, 1, candidates(part));
-  write(options.save, 2, lines(part));
-  write(options.save, 3, image(part));
+  write(folder + "/hypotheses1.jpg", candidates(part));
+  write(folder + "/hypotheses2.jpg", lines(part));
+  write(folder + "/hypotheses3.jpg", image(part));
   print(found);
 }
 } // namespace
 
 int main(int argc, char *argv[])
 {
+  if (argc != 6) {
+    std::cerr << "Usage: " << argv[0] << " <image> <model> <config> <pose.pos> <folder of the pictures>" << std::endl;
+    return 1;
+  }
   try {
-    const TrackerOptions options = readOptions(argc, argv);
-    if (options.help) {
-      std::cout << helpText();
-    } else {
-      run(options);
-    }
+    run(argv[1], argv[2], argv[3], argv[4], argv[5]);
   } catch (const std::exception &e) {
     std::cerr << "tutorial-multicue-hypotheses: " << e.what() << std::endl;
     return 1;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //! \example tutorial-multicue-particles.cpp
 // Tracks with several cues, with particles and with a search, and draws what the tracker holds possible.
-#include "filePattern.h"
-#include "frameReader.h"
-#include "initFiles.h"
-#include "trackerOptions.h"
-
 #include <visp3/core/vpImageConvert.h>
+#include <visp3/io/vpVideoReader.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -15,6 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
 
 namespace {
 void drawModel(cv::Mat &picture, vpMbMultiCueTracker &tracker, const vpHomogeneousMatrix &cMo, const cv::Scalar &color,
@@ -70,7 +70,7 @@ void write(const std::string &file, const vpImage<vpRGBa> &I, vpMbMultiCueTracke
   drawModes(picture, tracker);
   drawModel(picture, tracker, tracker.getPose(), colorOf(tracker.getTrackingState()), 1);
   if (!cv::imwrite(file, picture)) {
-    throw vpException(vpException::ioError, "--save " + file + " cannot be written: is there such a folder?");
+    throw vpException(vpException::ioError, file + " cannot be written: is there such a folder?");
   }
 }
 
@@ -88,32 +88,30 @@ void useAllCues(vpMbMultiCueTracker &tracker)
 }
 //! [Settings]
 
-void run(const TrackerOptions &options)
+void run(const std::string &images, const std::string &model, const std::string &config, const std::string &pose,
+         const std::string &folder)
 {
-  if (options.initPose.empty() || options.save.empty()) {
-    throw vpException(vpException::badValue, "Give --init-pose and --save with a pattern such as seen%d.png");
-  }
-  const std::unique_ptr<FrameReader> frames = openFrames(options);
+  vpVideoReader frames;
+  frames.setFileName(images);
   vpImage<vpRGBa> I;
-  if (!frames->next(I)) {
-    throw vpException(vpException::ioError, "There is no frame: is --first beyond the end?");
-  }
+  frames.open(I);
   vpMbMultiCueTracker tracker;
-  tracker.loadConfigFile(options.config, false);
-  tracker.setModelUnit(options.metresPerUnit);
-  tracker.loadModel(options.model);
+  tracker.loadConfigFile(config, false);
+  tracker.loadModel(model);
   useAllCues(tracker);
-  tracker.initFromPose(I, readPose(options.initPose));
+  tracker.initFromPose(I, pose);
 
   //! [Track]
   vpTrackingState before = vpTrackingState::TRACKING;
-  while (frames->next(I)) {
+  while (!frames.end()) {
+    frames.acquire(I);
     tracker.track(I);
     const vpTrackingState state = tracker.getTrackingState();
     if (state != before) { // The object is hidden, lost, looked at again or found.
-      write(FilePattern(options.save).name(frames->number()), I, tracker);
-      std::cout << "frame " << frames->number() << " " << toString(state) << ", " << tracker.getPoseModes().size()
-                << " modes" << std::endl;
+      const std::string number = std::to_string(frames.getFrameIndex());
+      write(folder + "/particles" + number + ".jpg", I, tracker);
+      std::cout << "frame " << number << " " << toString(state) << ", " << tracker.getPoseModes().size() << " modes"
+                << std::endl;
     }
     before = state;
   }
@@ -125,13 +123,13 @@ void run(const TrackerOptions &options)
 
 int main(int argc, char *argv[])
 {
+  if (argc != 6) {
+    std::cerr << "Usage: " << argv[0] << " <images%06d.png> <model> <config> <pose.pos> <folder of the pictures>"
+              << std::endl;
+    return 1;
+  }
   try {
-    const TrackerOptions options = readOptions(argc, argv);
-    if (options.help) {
-      std::cout << helpText();
-    } else {
-      run(options);
-    }
+    run(argv[1], argv[2], argv[3], argv[4], argv[5]);
   } catch (const std::exception &e) {
     std::cerr << "tutorial-multicue-particles: " << e.what() << std::endl;
     return 1;

@@ -2,6 +2,7 @@
 #include "dataset/checkedGeometry.h"
 
 #include "dataset/datasetFiles.h"
+#include "dataset/largestDistance.h"
 
 #include <visp3/model/vpModelReader.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
@@ -82,11 +83,11 @@ double measuredDiameter(const SequenceObject &object)
   if (!object.mesh.empty()) {
     vpModelOptions options;
     options.unit = object.meshUnit;
-    return largestDistance(vpModelReader::read(object.mesh, options).vertices());
+    return programs::largestDistance(vpModelReader::read(object.mesh, options).vertices());
   }
   vpMbMultiCueTracker parser;
   parser.loadModel(object.cao);
-  return largestDistance(parser.getModel()->vertices());
+  return programs::largestDistance(parser.getModel()->vertices());
 }
 
 void startAtFirstTruth(std::vector<SequenceFrame> &frames, const std::string &place)

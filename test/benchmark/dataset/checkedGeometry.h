@@ -28,9 +28,6 @@ void requireInFront(const vpHomogeneousMatrix &cMo, const std::string &place);
 //! A camera without distortion, pixel centres at integers. \throw vpException where a focal length is not positive.
 vpCameraParameters checkedCamera(double px, double py, double u0, double v0, const std::string &place);
 
-//! Largest distance of two points.
-double largestDistance(const std::vector<Eigen::Vector3d> &points);
-
 //! Largest distance of two vertices of the object's mesh, or of its .cao where there is no mesh; metres.
 //! \throw vpException naming the file where it cannot be read.
 double measuredDiameter(const SequenceObject &object);

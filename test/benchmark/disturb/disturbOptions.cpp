@@ -12,7 +12,7 @@ namespace bench {
 
 bool DisturbOptions::read(int argc, const char *const argv[])
 {
-  CommandLine line(
+  programs::CommandLine line(
       "Starts trackers at poses that are some pixels off, and shifts images under them while they track; tells how\n"
       "often the pose is right in the end, and how often it is wrong though the state says TRACKING.\n\n"
       "A scene of a data set in BOP's or RBOT's layout:  --dataset DIR --scene NAME\n"

@@ -19,7 +19,7 @@ const double mostStartError = 200.;
 bool EvaluateOptions::read(int argc, const char *const argv[])
 {
   std::string protocol = "rbot";
-  CommandLine line(
+  programs::CommandLine line(
       "Runs trackers on sequences with ground truth and reports who holds what: tables in summary.csv\n"
       "and summary.md, pictures in report.html, every pose in runs/.\n\n"
       "A data set in BOP's or RBOT's layout:  --dataset DIR --scene NAME\n"

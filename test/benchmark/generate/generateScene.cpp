@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generate/scene.h"
 
+#include "generate/variants.h"
+
 #include <visp3/core/vpException.h>
 
 #include <algorithm>
@@ -60,11 +62,12 @@ std::string sceneName(const SceneOptions &options)
   return object + motionText(options) + effectText(options) + "_" + options.variant;
 }
 
-std::vector<BopFrame> generateScene(const SceneOptions &options, const std::function<void(int)> &progress)
+std::vector<programs::BopFrame> generateScene(const SceneOptions &options, const std::function<void(int)> &progress)
 {
   const Scene scene(options);
-  const BopSceneWriter writer(options.dataset, sceneName(options), scene.objectId(), scene.camera().cam);
-  std::vector<BopFrame> truth(static_cast<std::size_t>(options.frames));
+  const programs::BopSceneWriter writer(options.dataset, sceneName(options), scene.objectId(), scene.camera().cam,
+                                        options.jpegQuality);
+  std::vector<programs::BopFrame> truth(static_cast<std::size_t>(options.frames));
   std::atomic<int> next(0);
   std::mutex mutex;
   int finished = 0;
@@ -87,7 +90,7 @@ std::vector<BopFrame> generateScene(const SceneOptions &options, const std::func
     }
   };
   // A blurred image is made of eight, so that a second thread is worth it in any case.
-  const int jobs = std::max(options.jobs, options.variant == "blur" ? 2 : 1);
+  const int jobs = std::max(options.jobs, hasVariant(options.variant, "blur") ? 2 : 1);
   std::vector<std::thread> threads;
   for (int i = 1; i < jobs; ++i) {
     threads.emplace_back(work);

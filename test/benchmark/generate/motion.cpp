@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generate/motion.h"
 
-#include "dataset/checkedGeometry.h"
+#include "dataset/largestDistance.h"
 #include "generate/handMotion.h"
 #include "generate/recordedMotion.h"
 
@@ -39,7 +39,7 @@ MotionExtent::MotionExtent(const std::vector<Eigen::Vector3d> &all)
   for (const Eigen::Vector3d &p : all) {
     radius = std::max(radius, (p - centre).norm());
   }
-  diameter = largestDistance(all);
+  diameter = programs::largestDistance(all);
   const std::size_t step = all.size() / 1000 + 1;
   for (std::size_t i = 0; i < all.size(); i += step) {
     points.push_back(all[i]);

@@ -110,13 +110,13 @@ int nearestPart(const SyntheticObject &object, const Eigen::Vector3d &centre)
 
 void writeObject(const std::string &dataset, const SyntheticObject &object, const std::string &folder)
 {
-  BopModel files;
+  programs::BopModel files;
   files.id = object.id;
   files.triangles.assign(object.triangles.begin(), object.triangles.end());
   files.images = object.images;
   files.cao = object.cao;
   files.folder = folder;
-  writeBopModel(dataset, files);
+  programs::writeBopModel(dataset, files);
 }
 
 LoadedObject writeAndLoad(const std::string &dataset, const SyntheticObject &object, const std::string &folder)
@@ -124,7 +124,7 @@ LoadedObject writeAndLoad(const std::string &dataset, const SyntheticObject &obj
   writeObject(dataset, object, folder);
   vpModelOptions options;
   options.maxSize = 1000.;
-  const std::string path = bopModelPath(dataset, object.id, folder);
+  const std::string path = programs::bopModelPath(dataset, object.id, folder);
   options.unit = object.images.empty() ? 0.001 : 1.;
   LoadedObject loaded;
   loaded.model = std::make_shared<const vpTrackedModel>(

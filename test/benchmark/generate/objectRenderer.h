@@ -16,14 +16,15 @@ struct LoadedObject
 };
 
 //! Writes an object's files. \param folder Of the data set. \throw vpException naming the file that cannot be written.
-void writeObject(const std::string &dataset, const SyntheticObject &object, const std::string &folder = bopModels);
+void writeObject(const std::string &dataset, const SyntheticObject &object,
+                 const std::string &folder = programs::bopModels);
 
 /*!
   Writes an object's files and reads the one with its looks back, so that the truth belongs to the files.
   \throw vpException naming the file that cannot be written or read.
 */
 LoadedObject writeAndLoad(const std::string &dataset, const SyntheticObject &object,
-                          const std::string &folder = bopModels);
+                          const std::string &folder = programs::bopModels);
 
 //! A picture with its share of each pixel.
 struct ImageLayer

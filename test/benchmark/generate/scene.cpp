@@ -2,6 +2,7 @@
 #include "generate/scene.h"
 
 #include "generate/meshError.h"
+#include "generate/variants.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/se3/vpPoseExponential.h>
@@ -23,14 +24,7 @@ const char *const renderedModels = "models_rendered";
 
 void checkOptions(const SceneOptions &options)
 {
-  const std::vector<std::string> names = variantNames();
-  if (std::find(names.begin(), names.end(), options.variant) == names.end()) {
-    std::string all;
-    for (const std::string &name : names) {
-      all += " " + name;
-    }
-    throw vpException(vpException::badValue, "there is no variant '%s', only:%s", options.variant.c_str(), all.c_str());
-  }
+  checkVariant(options.variant);
   if (options.frames < 2) {
     throw vpException(vpException::badValue, "a sequence has at least 2 frames, not %d", options.frames);
   }
@@ -61,7 +55,7 @@ MotionSettings motionOf(const SceneOptions &options, const SyntheticObject &obje
   settings.points = model.vertices();
   settings.pixelDiameter = object.pixelDiameter;
   settings.frontOnly = object.frontOnly;
-  settings.exits = options.variant == "exit";
+  settings.exits = hasVariant(options.variant, "exit");
   settings.frames = options.frames;
   settings.seed = options.seed * 64 + static_cast<std::uint64_t>(object.id);
   return settings;
@@ -74,7 +68,7 @@ void polish(SurfaceMaterial &material)
   material.shininess = std::max(material.shininess, 40.F);
 }
 
-BopBox boundingBox(const cv::Mat &mask, const cv::Point &origin)
+programs::BopBox boundingBox(const cv::Mat &mask, const cv::Point &origin)
 {
   const cv::Rect box = cv::boundingRect(mask);
   if (box.empty()) {
@@ -97,11 +91,6 @@ void compose(const ImageLayer &layer, cv::Mat &image)
 }
 } // namespace
 
-std::vector<std::string> variantNames()
-{
-  return {"regular", "light", "noise", "occlusion", "blur", "blackout", "exit", "webcam"};
-}
-
 Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSceneCamera(options.width, options.height))
 {
   checkOptions(options);
@@ -111,9 +100,9 @@ Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSce
   const std::string suits = m_synthetic.inSpace ? "space" : "photo";
   m_background = std::make_unique<Background>(options.background.empty() ? suits : options.background, m_camera,
                                               options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
-  m_webcam = std::make_unique<Webcam>(options.variant == "webcam" ? effectNames() : options.effects, m_camera,
+  m_webcam = std::make_unique<Webcam>(hasVariant(options.variant, "webcam") ? effectNames() : options.effects, m_camera,
                                       options.seed * 64 + static_cast<std::uint64_t>(m_synthetic.id));
-  if (options.variant == "blur" && m_webcam->hasShutter()) {
+  if (hasVariant(options.variant, "blur") && m_webcam->hasShutter()) {
     throw vpException(vpException::badValue,
                       "the variant 'blur' has a shutter of its own: leave the effects rolling-shutter, exposure and "
                       "soft-shadows out, or take the variant 'regular'");
@@ -122,7 +111,7 @@ Scene::Scene(const SceneOptions &options) : m_options(options), m_camera(makeSce
     std::for_each(m_object.materials.begin(), m_object.materials.end(), polish);
   }
   planForeground();
-  if (options.variant == "noise") {
+  if (hasVariant(options.variant, "noise")) {
     vpPoseRandom random(options.seed, {0x6e6f697365});
     m_noise.resize(noiseNumbers);
     std::generate(m_noise.begin(), m_noise.end(), [&] { return static_cast<float>(noiseDeviation * random.normal()); });
@@ -146,8 +135,9 @@ void Scene::writeModels()
 
 void Scene::planForeground()
 {
-  const bool board = m_options.variant == "blackout";
-  if (!board && m_options.variant != "occlusion") {
+  const bool board = hasVariant(m_options.variant, "blackout");
+  const bool occluder = hasVariant(m_options.variant, "occlusion");
+  if (!board && !occluder) {
     return;
   }
   std::vector<ImageLayer> layers(static_cast<std::size_t>(m_options.frames));
@@ -156,10 +146,15 @@ void Scene::planForeground()
     renderer.render(m_motion->pose(frame), Light(), 1, layers[static_cast<std::size_t>(frame)]);
     layers[static_cast<std::size_t>(frame)].color.release();
   }
-  m_foreground = board ? makeBoard(m_camera, layers, m_options.seed) : makeOccluder(m_camera, layers, m_options.seed);
+  if (occluder) {
+    m_foreground.push_back(makeOccluder(m_camera, layers, m_options.seed));
+  }
+  if (board) {
+    m_foreground.push_back(makeBoard(m_camera, layers, m_options.seed));
+  }
 }
 
-void Scene::fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const
+void Scene::fillTruth(const ImageLayer &object, const cv::Mat &hidden, programs::BopFrame &truth) const
 {
   const cv::Mat whole = object.coverage >= 0.5F;
   const cv::Rect inside = object.area & cv::Rect(0, 0, hidden.cols, hidden.rows);
@@ -177,20 +172,20 @@ void Scene::fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame 
 
 Light Scene::lightOf(double time, int instant) const
 {
-  const Light light = lightAt(m_synthetic, m_options.variant == "light", time, m_options.seed);
+  const Light light = lightAt(m_synthetic, hasVariant(m_options.variant, "light"), time, m_options.seed);
   return m_webcam->has("soft-shadows") ? lampPoint(light, instant) : light;
 }
 
 cv::Mat Scene::renderInstant(double time, int samples, const Light &light, ObjectRenderer &renderer,
-                             BopFrame *truth) const
+                             programs::BopFrame *truth) const
 {
   ImageLayer object;
   renderer.render(m_motion->pose(time), light, samples, object);
   cv::Mat image = m_background->at(time, m_motion->backgroundTurn(time));
   compose(object, image);
   cv::Mat hidden = cv::Mat::zeros(image.size(), CV_32F);
-  if (m_foreground) {
-    m_foreground->draw(time, image, hidden);
+  for (const std::unique_ptr<Foreground> &thing : m_foreground) {
+    thing->draw(time, image, hidden);
   }
   if (truth != nullptr) {
     fillTruth(object, hidden, *truth);
@@ -242,24 +237,24 @@ double Scene::timeOf(int frame) const
 
 cv::Mat Scene::renderShutter(int frame, ObjectRenderer &renderer) const
 {
-  const Shutter shutter = m_options.variant == "blur" ? Shutter{exposure, 0.} : m_webcam->shutter();
+  const Shutter shutter = hasVariant(m_options.variant, "blur") ? Shutter{exposure, 0.} : m_webcam->shutter();
   return expose(shutter, [&](double time, int instant) {
     return renderInstant(frame + time, 2, lightOf(frame + time, instant), renderer, nullptr);
   });
 }
 
-cv::Mat Scene::render(int frame, ObjectRenderer &renderer, BopFrame &truth) const
+cv::Mat Scene::render(int frame, ObjectRenderer &renderer, programs::BopFrame &truth) const
 {
-  truth = BopFrame();
+  truth = programs::BopFrame();
   truth.id = frame;
   truth.cMo = pose(frame);
   cv::Mat image;
-  if (m_options.variant == "blur" && m_options.motion != "shaken-camera") {
+  if (hasVariant(m_options.variant, "blur") && m_options.motion != "shaken-camera") {
     image = renderExposure(frame, renderer);
     ImageLayer object;
     renderer.render(truth.cMo, Light(), 1, object);
     fillTruth(object, cv::Mat::zeros(image.size(), CV_32F), truth);
-  } else if (m_options.variant == "blur" || m_webcam->hasShutter()) {
+  } else if (hasVariant(m_options.variant, "blur") || m_webcam->hasShutter()) {
     renderInstant(timeOf(frame), 1, Light(), renderer, &truth);
     image = renderShutter(frame, renderer);
   } else {

@@ -15,7 +15,7 @@ namespace bench {
 struct SceneOptions
 {
   std::string object = "box";       //!< One of objectNames(), or the path of a mesh.
-  std::string variant = "regular";  //!< One of variantNames().
+  std::string variant = "regular";  //!< One of variantNames(), or several of them joined by +.
   std::string motion = "smooth";    //!< One of motionNames(), or the path of a file with poses in RBOT's format.
   double motionScale = 1.;          //!< Multiplies the motion from frame to frame.
   std::vector<std::string> effects; //!< Of effectNames().
@@ -27,15 +27,9 @@ struct SceneOptions
   unsigned int height = 480;
   double unit = 1.;      //!< Metres per unit of a mesh.
   double meshError = 0.; //!< Strength of the errors of the mesh in models/; the one that is rendered is exact.
+  int jpegQuality = 0;   //!< Of images in JPEG, 1 to 100; 0: in PNG.
   int jobs = 1;          //!< Threads; the result does not depend on their number.
 };
-
-/*!
-  What makes a sequence difficult: "regular" (nothing), "light" (direction and strength change), "noise" (Gaussian, 12
-  gray levels), "occlusion" (up to 0.4 hidden), "blur" (exposure of 0.6 of the frame interval), "blackout" (hidden for
-  10 to 15 frames), "exit" (outside the image for 10 to 20 frames), "webcam" (all of effectNames()).
-*/
-std::vector<std::string> variantNames();
 
 //! Name of a scene's folder: <object>_<variant>, or <object>_<motion>_<effects>_<variant> with what is not usual.
 std::string sceneName(const SceneOptions &options);
@@ -65,17 +59,18 @@ public:
     \param truth What is known about it.
     \return The image, 8-bit BGR.
   */
-  cv::Mat render(int frame, ObjectRenderer &renderer, BopFrame &truth) const;
+  cv::Mat render(int frame, ObjectRenderer &renderer, programs::BopFrame &truth) const;
 
 private:
-  cv::Mat renderInstant(double time, int samples, const Light &light, ObjectRenderer &renderer, BopFrame *truth) const;
+  cv::Mat renderInstant(double time, int samples, const Light &light, ObjectRenderer &renderer,
+                        programs::BopFrame *truth) const;
   //! The mean of several instants, time being the middle of the exposure.
   cv::Mat renderExposure(double time, ObjectRenderer &renderer) const;
   //! As m_webcam sees it.
   cv::Mat renderShutter(int frame, ObjectRenderer &renderer) const;
   double timeOf(int frame) const;
   Light lightOf(double time, int instant) const;
-  void fillTruth(const ImageLayer &object, const cv::Mat &hidden, BopFrame &truth) const;
+  void fillTruth(const ImageLayer &object, const cv::Mat &hidden, programs::BopFrame &truth) const;
   void writeModels();
   void planForeground();
   void addNoise(int frame, cv::Mat &image) const;
@@ -87,8 +82,8 @@ private:
   std::unique_ptr<Motion> m_motion;
   std::unique_ptr<Background> m_background;
   std::unique_ptr<Webcam> m_webcam;
-  std::unique_ptr<Foreground> m_foreground; //!< Null where nothing is in front.
-  std::vector<float> m_noise;               //!< Numbers of the normal distribution.
+  std::vector<std::unique_ptr<Foreground>> m_foreground; //!< What is in front, the nearest last.
+  std::vector<float> m_noise;                            //!< Numbers of the normal distribution.
 };
 
 /*!
@@ -97,7 +92,8 @@ private:
   \return The truth of all frames.
   \throw vpException as Scene does, and where a file cannot be written.
 */
-std::vector<BopFrame> generateScene(const SceneOptions &options, const std::function<void(int)> &progress = nullptr);
+std::vector<programs::BopFrame> generateScene(const SceneOptions &options,
+                                              const std::function<void(int)> &progress = nullptr);
 
 } // namespace bench
 #endif

@@ -20,7 +20,7 @@ struct SurfaceMaterial
 };
 
 //! A triangle of the surface and what it is made of.
-struct ColoredTriangle : BopTriangle
+struct ColoredTriangle : programs::BopTriangle
 {
   int part = 0; //!< Index into SyntheticObject::materials.
 };

@@ -13,11 +13,12 @@ namespace bench {
 bool StartOptions::read(int argc, const char *const argv[])
 {
   std::string wrongName;
-  CommandLine line("Starts trackers at poses that are off the truth, and reports how often they find the object, and\n"
-                   "say so: starts.csv has every trial, summary.csv and summary.md the shares.\n\n"
-                   "Each trial takes an image that shows at least 0.8 of the object, turns the true pose by --angle\n"
-                   "about a random axis through the object's centre, shifts it by --offset in a random direction, and\n"
-                   "tracks that image and the ones after it. A start is accepted where the state is TRACKING then.");
+  programs::CommandLine line(
+      "Starts trackers at poses that are off the truth, and reports how often they find the object, and\n"
+      "say so: starts.csv has every trial, summary.csv and summary.md the shares.\n\n"
+      "Each trial takes an image that shows at least 0.8 of the object, turns the true pose by --angle\n"
+      "about a random axis through the object's centre, shifts it by --offset in a random direction, and\n"
+      "tracks that image and the ones after it. A start is accepted where the state is TRACKING then.");
   line.add("--dataset", "folder of the data set", dataset);
   line.add("--scene", "scenes, separated by commas, or 'all'", scenes);
   line.add("--tracker", "trackers of multicue-evaluate, separated by commas", trackers);

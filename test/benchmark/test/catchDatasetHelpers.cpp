@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
-#include "dataset/checkedGeometry.h"
+#include "dataset/largestDistance.h"
 #include "dataset/datasetFiles.h"
 #include "datasetFolder.h"
 
@@ -22,8 +22,8 @@ double longestOfAllPairs(const std::vector<Eigen::Vector3d> &points)
 
 TEST_CASE("The largest distance of two points is that of all pairs", "[dataset]")
 {
-  CHECK(bench::largestDistance({}) == 0.);
-  CHECK(bench::largestDistance({Eigen::Vector3d(1., 2., 3.)}) == 0.);
+  CHECK(programs::largestDistance({}) == 0.);
+  CHECK(programs::largestDistance({Eigen::Vector3d(1., 2., 3.)}) == 0.);
   vpPoseRandom random(7);
   for (int run = 0; run < 20; ++run) {
     // From flat over elongated to round, with a crowd on one side that pulls the centre away.
@@ -31,7 +31,7 @@ TEST_CASE("The largest distance of two points is that of all pairs", "[dataset]"
     for (int i = 0; i < 100; ++i) {
       points.emplace_back(random.uniform(), 0.1 * run * random.uniform(), 0.05 * run * random.uniform());
     }
-    CHECK(bench::largestDistance(points) == Approx(longestOfAllPairs(points)).epsilon(1e-12));
+    CHECK(programs::largestDistance(points) == Approx(longestOfAllPairs(points)).epsilon(1e-12));
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include "datasetFolder.h"
 
-#include "dataset/checkedGeometry.h"
 #include "dataset/imageFile.h"
+#include "dataset/largestDistance.h"
 #include "evaluate/imageStore.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -204,7 +204,7 @@ TEST_CASE("The largest distance of 200,000 points of a ball takes seconds", "[fi
     }
   }
   const auto start = std::chrono::steady_clock::now();
-  CHECK(bench::largestDistance(points) == Approx(2.).margin(1e-4));
+  CHECK(programs::largestDistance(points) == Approx(2.).margin(1e-4));
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
   points.resize(300);
   double largest = 0.;
@@ -213,5 +213,5 @@ TEST_CASE("The largest distance of 200,000 points of a ball takes seconds", "[fi
       largest = std::max(largest, (a - b).norm());
     }
   }
-  CHECK(bench::largestDistance(points) == Approx(largest).epsilon(1e-12));
+  CHECK(programs::largestDistance(points) == Approx(largest).epsilon(1e-12));
 }

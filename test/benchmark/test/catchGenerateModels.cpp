@@ -25,7 +25,7 @@ Files makeFiles(const meshFiles::TemporaryFolder &folder, const std::string &nam
 {
   const bench::SyntheticObject object = bench::makeObject(name, 1);
   bench::writeAndLoad(folder.path("data"), object);
-  const std::string path = bench::bopModelPath(folder.path("data"), object.id);
+  const std::string path = programs::bopModelPath(folder.path("data"), object.id);
   vpModelOptions options;
   options.unit = 0.001;
   return {path + ".cao", vpModelReader::read(path + ".ply", options)};
@@ -147,7 +147,8 @@ TEST_CASE("A textured mesh keeps its texture")
   const meshFiles::TemporaryFolder folder;
   const bench::SyntheticObject box = bench::makeObject("box", 1);
   bench::writeAndLoad(folder.path("data"), box);
-  const bench::SyntheticObject again = bench::makeObject(bench::bopModelPath(folder.path("data"), 1) + ".obj", 1, 1.);
+  const bench::SyntheticObject again =
+      bench::makeObject(programs::bopModelPath(folder.path("data"), 1) + ".obj", 1, 1.);
   REQUIRE(again.images.size() == box.images.size());
   CHECK(cv::norm(again.images[0], box.images[0], cv::NORM_INF) == 0.);
   CHECK(again.triangles.size() == box.triangles.size());

@@ -41,4 +41,9 @@ TEST_CASE("Wrong options of a sequence are named")
                     ContainsSubstring("'exit'") && ContainsSubstring("handheld"));
   CHECK_THROWS_WITH(read({"--motion", "handheld"}), ContainsSubstring("--variant"));
   CHECK_NOTHROW(read({"--variant", "all"}));
+  CHECK(read({"--variant", "occlusion+blackout,noise"}).variants ==
+        std::vector<std::string>({"occlusion+blackout", "noise"}));
+  CHECK_THROWS_WITH(read({"--variant", "occlusion+rain"}), ContainsSubstring("--variant: 'rain'"));
+  CHECK_THROWS_WITH(read({"--variant", "noise+exit", "--motion", "handheld"}), ContainsSubstring("--motion handheld"));
+  CHECK_THROWS_WITH(read({"--variant", "regular", "--jpeg", "101"}), ContainsSubstring("--jpeg: 101"));
 }

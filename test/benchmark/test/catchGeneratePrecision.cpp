@@ -151,7 +151,7 @@ void check(const std::string &object, int id, const std::string &variant, int co
   }
   vpModelOptions unit;
   unit.unit = 0.001;
-  const std::string file = bench::bopModelPath(options.dataset, id) + ".ply";
+  const std::string file = programs::bopModelPath(options.dataset, id) + ".ply";
   const auto model = std::make_shared<const vpTrackedModel>(vpModelReader::read(file, unit));
   const std::unique_ptr<vpModelRenderer> renderer = vpModelRenderer::create(model, vpModelRenderer::CPU);
   vpModelView view(model);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
 
+#include "generate/variants.h"
 #include "generateChecks.h"
 
 #include <visp3/core/vpException.h>
 
 #include <algorithm>
 
-using bench::BopFrame;
 using bench::Scene;
 using bench::SceneOptions;
 using generateChecks::bytesOf;
+using programs::BopFrame;
 
 namespace {
 std::vector<std::string> filesOf(const SceneOptions &options)

@@ -11,10 +11,10 @@
 
 #include <algorithm>
 
-using bench::BopFrame;
 using bench::Scene;
 using bench::SceneOptions;
 using bench::Webcam;
+using programs::BopFrame;
 
 namespace {
 cv::Mat processed(const std::vector<std::string> &effects, const cv::Mat &image, int frame = 3)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "dataset/checkedGeometry.h"
+#include "dataset/largestDistance.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
-namespace bench {
+namespace programs {
 namespace {
 const std::size_t leafPoints = 8;
 
@@ -123,4 +123,4 @@ double largestDistance(const std::vector<Eigen::Vector3d> &points)
   return points.empty() ? 0. : FarthestPair(points).distance();
 }
 
-} // namespace bench
+} // namespace programs

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef initFiles_h
-#define initFiles_h
+#ifndef programsStartFiles_h
+#define programsStartFiles_h
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpImagePoint.h>
@@ -12,6 +12,8 @@
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
 #endif
+
+namespace programs {
 
 /*!
   \param file Text of numbers with # comments: 6 of them, translation (metres) and theta u (radians) as in ViSP's .pos
@@ -29,6 +31,12 @@ struct PointPairs
 };
 
 /*!
+  \param file ViSP's .init file: how many points, X Y Z of each, metres; # comments.
+  \return The points, at least 4. \throw vpException naming the file and what is wrong with it.
+*/
+std::vector<vpPoint> readClickPoints(const std::string &file);
+
+/*!
   \param file Text of numbers with # comments, as ViSP's initFromPoints() reads: how many points, X Y Z of each, again
   how many, row and column of each.
   \return The points, at least 4.
@@ -36,4 +44,5 @@ struct PointPairs
 */
 PointPairs readPoints(const std::string &file);
 
+} // namespace programs
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "trackingLog.h"
+#include "track/trackingLog.h"
 
 #include <visp3/core/vpException.h>
 
@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <sstream>
 
+namespace programs {
 namespace {
 void open(std::ofstream &stream, const std::string &option, const std::string &file)
 {
@@ -40,7 +41,7 @@ TrackingLog::TrackingLog(const std::string &posesFile, const std::string &summar
 {
   open(m_poses, "--poses", posesFile);
   open(m_summary, "--summary", summaryFile);
-  m_poses << "frame,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23,ms,state\n" << std::setprecision(9);
+  m_poses << "frame,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23,ms,state,score\n" << std::setprecision(9);
 }
 
 void TrackingLog::add(const TrackedFrame &frame)
@@ -53,7 +54,7 @@ void TrackingLog::add(const TrackedFrame &frame)
       m_poses << frame.cMo[i][j] << ",";
     }
   }
-  m_poses << frame.milliseconds << "," << toString(frame.state) << "\n";
+  m_poses << frame.milliseconds << "," << toString(frame.state) << "," << frame.score << "\n";
 }
 
 std::string TrackingLog::summary() const
@@ -81,3 +82,5 @@ void TrackingLog::finish()
   close(m_poses, m_posesFile);
   close(m_summary, m_summaryFile);
 }
+
+} // namespace programs

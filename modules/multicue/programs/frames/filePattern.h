@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef filePattern_h
-#define filePattern_h
+#ifndef programsFilePattern_h
+#define programsFilePattern_h
 
 #include <map>
 #include <string>
+
+namespace programs {
 
 //! A printf-style name for numbered files, such as folder/image%04d.png.
 class FilePattern
@@ -25,4 +27,5 @@ private:
   std::size_t m_width;
 };
 
+} // namespace programs
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef trackingLog_h
-#define trackingLog_h
+#ifndef programsTrackingLog_h
+#define programsTrackingLog_h
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/multicue/vpTrackingState.h>
@@ -14,6 +14,8 @@
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
+namespace programs {
+
 //! What is known of a frame after it was tracked.
 struct TrackedFrame
 {
@@ -21,6 +23,7 @@ struct TrackedFrame
   vpHomogeneousMatrix cMo;                            //!< Object to camera, metres.
   double milliseconds = 0.;                           //!< That track() took.
   vpTrackingState state = vpTrackingState::UNCERTAIN; //!< How it went.
+  double score = 0.;                                  //!< How far to believe the pose, [0, 1].
 };
 
 //! Writes the poses while the program runs, and a summary at the end.
@@ -56,4 +59,5 @@ private:
   std::map<vpTrackingState, int> m_states;
 };
 
+} // namespace programs
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "initFiles.h"
+#include "track/startFiles.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/se3/vpPoseMean.h>
@@ -10,6 +10,7 @@
 #include <sstream>
 #include <vector>
 
+namespace programs {
 namespace {
 [[noreturn]] void fail(const std::string &file, const std::string &text)
 {
@@ -54,6 +55,11 @@ vpHomogeneousMatrix closestPose(const std::string &file, const std::vector<doubl
   }
   return cMo;
 }
+// 0 where the first number is none of points that a pose can be computed of.
+std::size_t pointCount(const std::vector<double> &numbers)
+{
+  return numbers.empty() || !(numbers[0] >= 4. && numbers[0] < 1e6) ? 0 : static_cast<std::size_t>(numbers[0]);
+}
 } // namespace
 
 vpHomogeneousMatrix readPose(const std::string &file)
@@ -68,11 +74,24 @@ vpHomogeneousMatrix readPose(const std::string &file)
   fail(file, "a pose has 6, 12 or 16 numbers, but there are " + std::to_string(numbers.size()));
 }
 
+std::vector<vpPoint> readClickPoints(const std::string &file)
+{
+  const std::vector<double> numbers = readNumbers(file);
+  const std::size_t count = pointCount(numbers);
+  if (count == 0 || numbers.size() != 1 + 3 * count) {
+    fail(file, "needs the number of points, at least 4, then X Y Z of each");
+  }
+  std::vector<vpPoint> points;
+  for (std::size_t i = 0; i < count; i++) {
+    points.emplace_back(numbers[1 + 3 * i], numbers[2 + 3 * i], numbers[3 + 3 * i]);
+  }
+  return points;
+}
+
 PointPairs readPoints(const std::string &file)
 {
   const std::vector<double> numbers = readNumbers(file);
-  const std::size_t count =
-      numbers.empty() || !(numbers[0] >= 4. && numbers[0] < 1e6) ? 0 : static_cast<std::size_t>(numbers[0]);
+  const std::size_t count = pointCount(numbers);
   if (count == 0 || numbers.size() != 2 + 5 * count || numbers[1 + 3 * count] != numbers[0]) {
     fail(file, "needs the number of points, at least 4, X Y Z of each, the number again, and row and column of each");
   }
@@ -85,3 +104,5 @@ PointPairs readPoints(const std::string &file)
   }
   return points;
 }
+
+} // namespace programs

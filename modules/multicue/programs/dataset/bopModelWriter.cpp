@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dataset/bopWriter.h"
 
-#include "dataset/checkedGeometry.h"
+#include "dataset/largestDistance.h"
 
 #include <visp3/core/vpException.h>
 
@@ -17,7 +17,7 @@
 #include <map>
 #include <sstream>
 
-namespace bench {
+namespace programs {
 namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -213,4 +213,4 @@ void writeBopModel(const std::string &dataset, const BopModel &model)
   writeInfo((folder / "models_info.json").string(), model);
 }
 
-} // namespace bench
+} // namespace programs

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace bench {
+namespace programs {
 namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -53,17 +53,26 @@ void writeJson(const std::string &file, const Entries &entries)
   }
 }
 
+// As BOP has it, -1 where it was not computed.
+double visibleShare(const BopFrame &frame)
+{
+  if (frame.pixelsAll < 0) {
+    return -1.;
+  }
+  return frame.pixelsAll > 0 ? double(frame.pixelsVisible) / frame.pixelsAll : 0.;
+}
+
 bool isNumberedImage(const fs::path &file)
 {
   const std::string stem = file.stem().string();
-  return file.extension() == ".png" && stem.size() == 6 &&
+  return (file.extension() == ".png" || file.extension() == ".jpg") && stem.size() == 6 &&
          std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 } // namespace
 
 BopSceneWriter::BopSceneWriter(const std::string &dataset, const std::string &scene, int objectId,
-                               const vpCameraParameters &cam)
-    : m_folder((fs::path(dataset) / scene).string()), m_objectId(objectId), m_cam(cam)
+                               const vpCameraParameters &cam, int jpegQuality)
+    : m_folder((fs::path(dataset) / scene).string()), m_objectId(objectId), m_cam(cam), m_jpegQuality(jpegQuality)
 {
   const fs::path images = fs::path(m_folder) / "rgb";
   makeFolder(images);
@@ -76,8 +85,11 @@ BopSceneWriter::BopSceneWriter(const std::string &dataset, const std::string &sc
 
 void BopSceneWriter::writeImage(int id, const cv::Mat &image) const
 {
-  const std::string file = m_folder + "/rgb/" + numbered(id) + ".png";
-  if (!cv::imwrite(file, image, {cv::IMWRITE_PNG_COMPRESSION, 1})) {
+  const bool png = m_jpegQuality == 0;
+  const std::string file = m_folder + "/rgb/" + numbered(id) + (png ? ".png" : ".jpg");
+  const std::vector<int> settings = png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 1}
+                                        : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, m_jpegQuality};
+  if (!cv::imwrite(file, image, settings)) {
     throw vpException(vpException::ioError, "%s cannot be written: is the disk full?", file.c_str());
   }
 }
@@ -99,17 +111,17 @@ void BopSceneWriter::writeTruth(const std::vector<BopFrame> &frames) const
     }
     camera.emplace_back(frame.id, json{{"cam_K", intrinsics}, {"depth_scale", 1.}});
     const json pose = {{"cam_R_m2c", rotation}, {"cam_t_m2c", translation}, {"obj_id", m_objectId}};
-    truth.emplace_back(frame.id, json::array({pose}));
+    truth.emplace_back(frame.id, frame.hasPose ? json::array({pose}) : json::array());
     const json seen = {{"px_count_all", frame.pixelsAll},
                        {"px_count_visib", frame.pixelsVisible},
-                       {"visib_fract", frame.pixelsAll > 0 ? double(frame.pixelsVisible) / frame.pixelsAll : 0.},
+                       {"visib_fract", visibleShare(frame)},
                        {"bbox_obj", frame.boxObject},
                        {"bbox_visib", frame.boxVisible}};
-    info.emplace_back(frame.id, json::array({seen}));
+    info.emplace_back(frame.id, frame.hasPose ? json::array({seen}) : json::array());
   }
   writeJson(m_folder + "/scene_camera.json", camera);
   writeJson(m_folder + "/scene_gt.json", truth);
   writeJson(m_folder + "/scene_gt_info.json", info);
 }
 
-} // namespace bench
+} // namespace programs

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef benchCommandLine_h
-#define benchCommandLine_h
+#ifndef programsCommandLine_h
+#define programsCommandLine_h
 
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace bench {
+namespace programs {
 
 //! Options of the form `--name value`, and `--name` alone for switches.
 class CommandLine
@@ -24,8 +24,11 @@ public:
   //! \param set Takes the value, or throws.
   void addSetter(const std::string &name, const std::string &help, const std::function<void(const std::string &)> &set);
 
+  //! Text that --help prints after the options. \param text Lines, each with its end.
+  void setEpilogue(const std::string &text) { m_epilogue = text; }
+
   /*!
-    \return False where --help was asked for and printed.
+    \return False where --help or --version was asked for and printed.
     \throw vpException naming the option that is unknown, lacks its value, or has one that is no number or too small.
   */
   bool read(int argc, const char *const argv[]) const;
@@ -42,11 +45,12 @@ private:
   void printHelp() const;
 
   std::string m_purpose;
+  std::string m_epilogue;
   std::vector<Option> m_options;
 };
 
 //! Parts of \e text between commas, the empty ones left out.
 std::vector<std::string> splitList(const std::string &text);
 
-} // namespace bench
+} // namespace programs
 #endif

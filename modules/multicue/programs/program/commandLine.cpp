@@ -11,7 +11,7 @@
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
-namespace bench {
+namespace programs {
 
 namespace {
 template <typename Number> Number toNumber(const std::string &name, const std::string &text)
@@ -98,6 +98,7 @@ void CommandLine::printHelp() const
     const std::string left = "  " + option.name + (option.hasValue ? " VALUE" : "");
     std::cout << left << std::string(left.size() < 22 ? 22 - left.size() : 1, ' ') << option.help << "\n";
   }
+  std::cout << "  --help              print this\n  --version           print the version\n" << m_epilogue;
 }
 
 bool CommandLine::read(int argc, const char *const argv[]) const
@@ -106,6 +107,11 @@ bool CommandLine::read(int argc, const char *const argv[]) const
     const std::string name = argv[i];
     if (name == "--help" || name == "-h") {
       printHelp();
+      return false;
+    }
+    if (name == "--version") {
+      const std::string program = argv[0];
+      std::cout << program.substr(program.find_last_of('/') + 1) << " " << MULTICUE_VERSION << std::endl;
       return false;
     }
     const auto option =
@@ -121,4 +127,4 @@ bool CommandLine::read(int argc, const char *const argv[]) const
   return true;
 }
 
-} // namespace bench
+} // namespace programs

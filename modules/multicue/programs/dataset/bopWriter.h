@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef benchBopWriter_h
-#define benchBopWriter_h
+#ifndef programsBopWriter_h
+#define programsBopWriter_h
 
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
@@ -16,17 +16,18 @@
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
-namespace bench {
+namespace programs {
 
 //! Rectangle of an image as BOP writes it; -1 where there is nothing.
 using BopBox = std::array<int, 4>;
 
-//! The truth about one image.
+//! What is known about one image: the truth where it was rendered.
 struct BopFrame
 {
   int id = 0;
-  vpHomogeneousMatrix cMo;                //!< Metres.
-  int pixelsAll = 0;                      //!< Of the whole silhouette, outside the image too.
+  vpHomogeneousMatrix cMo; //!< Metres.
+  bool hasPose = true;
+  int pixelsAll = 0;                      //!< Of the whole silhouette, outside the image too; -1 where not counted.
   int pixelsVisible = 0;                  //!< Of the part of it that is seen.
   BopBox boxObject = {{-1, -1, -1, -1}};  //!< Left, top, width, height of the silhouette, beyond the image too.
   BopBox boxVisible = {{-1, -1, -1, -1}}; //!< The same of the part that is seen.
@@ -73,7 +74,9 @@ class BopSceneWriter
 public:
   //! Makes the folders. Numbered images of an earlier scene of this name are removed.
   //! \throw vpException naming the folder that cannot be made.
-  BopSceneWriter(const std::string &dataset, const std::string &scene, int objectId, const vpCameraParameters &cam);
+  //! \param jpegQuality Of images in JPEG, 1 to 100; 0: in PNG.
+  BopSceneWriter(const std::string &dataset, const std::string &scene, int objectId, const vpCameraParameters &cam,
+                 int jpegQuality = 0);
 
   //! Writes one image; may be called by several threads at once. \param image 8-bit BGR.
   void writeImage(int id, const cv::Mat &image) const;
@@ -87,7 +90,8 @@ private:
   std::string m_folder;
   int m_objectId;
   vpCameraParameters m_cam;
+  int m_jpegQuality;
 };
 
-} // namespace bench
+} // namespace programs
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "frameReader.h"
+#include "frames/frameReader.h"
 
-#include "filePattern.h"
+#include "frames/filePattern.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpImageConvert.h>
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 
+namespace programs {
 namespace {
 [[noreturn]] void fail(const std::string &text)
 {
@@ -21,15 +22,14 @@ namespace {
 class ImageFiles : public FrameReader
 {
 public:
-  explicit ImageFiles(const TrackerOptions &options)
-      : m_files(FilePattern(options.images).existing()), m_step(options.step)
+  explicit ImageFiles(const FrameSource &source) : m_files(FilePattern(source.images).existing()), m_step(source.step)
   {
-    m_files.erase(m_files.begin(), m_files.lower_bound(options.first));
-    if (options.last >= 0) {
-      m_files.erase(m_files.upper_bound(options.last), m_files.end());
+    m_files.erase(m_files.begin(), m_files.lower_bound(source.first));
+    if (source.last >= 0) {
+      m_files.erase(m_files.upper_bound(source.last), m_files.end());
     }
     if (m_files.empty()) {
-      fail("--images " + options.images + ": there is no such file between --first and --last");
+      fail("--images " + source.images + ": there is no such file between --first and --last");
     }
     m_next = m_files.begin();
   }
@@ -59,19 +59,19 @@ private:
 class VideoFrames : public FrameReader
 {
 public:
-  explicit VideoFrames(const TrackerOptions &options)
-      : m_skip(std::max(options.first, 0)), m_step(options.step), m_last(options.last)
+  explicit VideoFrames(const FrameSource &source)
+      : m_skip(std::max(source.first, 0)), m_step(source.step), m_last(source.last)
   {
-    if (options.camera >= 0) {
-      m_capture.open(options.camera);
+    if (source.camera >= 0) {
+      m_capture.open(source.camera);
     } else {
-      m_capture.open(options.video);
+      m_capture.open(source.video);
     }
     if (!m_capture.isOpened()) {
-      fail(options.camera >= 0 ? "--camera " + std::to_string(options.camera) + ": there is no such camera"
-                               : "--video " + options.video + ": no such file, or no video that OpenCV reads");
+      fail(source.camera >= 0 ? "--camera " + std::to_string(source.camera) + ": there is no such camera"
+                              : "--video " + source.video + ": no such file, or no video that OpenCV reads");
     }
-    const int count = options.camera >= 0 ? 0 : static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_COUNT));
+    const int count = source.camera >= 0 ? 0 : static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_COUNT));
     if (count > 0 && (m_last < 0 || m_last >= count)) {
       m_last = count - 1;
     }
@@ -105,10 +105,12 @@ private:
 };
 } // namespace
 
-std::unique_ptr<FrameReader> openFrames(const TrackerOptions &options)
+std::unique_ptr<FrameReader> openFrames(const FrameSource &source)
 {
-  if (!options.images.empty()) {
-    return std::make_unique<ImageFiles>(options);
+  if (!source.images.empty()) {
+    return std::make_unique<ImageFiles>(source);
   }
-  return std::make_unique<VideoFrames>(options);
+  return std::make_unique<VideoFrames>(source);
 }
+
+} // namespace programs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "filePattern.h"
+#include "frames/filePattern.h"
 
 #include <visp3/core/vpException.h>
 
@@ -10,6 +10,7 @@
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
+namespace programs {
 FilePattern::FilePattern(const std::string &pattern) : m_folder("."), m_width(0)
 {
   const std::filesystem::path path(pattern);
@@ -56,3 +57,5 @@ std::map<int, std::string> FilePattern::existing() const
   }
   return files;
 }
+
+} // namespace programs

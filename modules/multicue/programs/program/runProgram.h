@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef benchRunProgram_h
-#define benchRunProgram_h
+#ifndef programsRunProgram_h
+#define programsRunProgram_h
 
 #include <visp3/core/vpException.h>
 
 #include <iostream>
 
-namespace bench {
+namespace programs {
 
 //! \return The exit status of a program, 1 where it ends with an exception, whose text is printed.
 template <typename Program> int runProgram(const Program &program)
@@ -21,5 +21,5 @@ template <typename Program> int runProgram(const Program &program)
   return 1;
 }
 
-} // namespace bench
+} // namespace programs
 #endif

@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef frameReader_h
-#define frameReader_h
-
-#include "trackerOptions.h"
+#ifndef programsFrameReader_h
+#define programsFrameReader_h
 
 #include <visp3/core/vpImage.h>
 #include <visp3/core/vpRGBa.h>
 
 #include <memory>
+#include <string>
 
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
 #endif
+
+namespace programs {
+
+//! Where frames come from: one of images, video and camera.
+struct FrameSource
+{
+  std::string images; //!< Pattern of image files.
+  std::string video;  //!< Video file, or any address that OpenCV opens.
+  int camera = -1;    //!< Index of a camera, >= 0.
+  int first = -1;     //!< Number of the first frame, -1 for the first that there is.
+  int last = -1;      //!< Number of the last frame, -1 for the last that there is.
+  int step = 1;       //!< 2 takes every second frame, > 0.
+};
 
 //! Frames of a video, of image files or of a camera, one after the other.
 class FrameReader
@@ -36,9 +48,10 @@ protected:
 };
 
 /*!
-  \return The frames that the options ask for.
+  \return The frames that are asked for.
   \throw vpException naming what cannot be opened.
 */
-std::unique_ptr<FrameReader> openFrames(const TrackerOptions &options);
+std::unique_ptr<FrameReader> openFrames(const FrameSource &source);
 
+} // namespace programs
 #endif
