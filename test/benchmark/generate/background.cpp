@@ -112,8 +112,11 @@ Background::Background(const std::string &kind, const SceneCamera &camera, std::
     m_picture = openPhoto(seed);
   } else if (kind == "space") {
     m_picture = drawSpace(1100, 850, seed);
+  } else if (kind == "wall") {
+    m_picture = drawWall(1100, 850, seed);
   } else if (kind != "plain") {
-    throw vpException(vpException::badValue, "there is no background '%s': give photo, plain or space", kind.c_str());
+    throw vpException(vpException::badValue, "there is no background '%s': give photo, wall, plain or space",
+                      kind.c_str());
   }
 }
 

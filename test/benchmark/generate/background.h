@@ -15,7 +15,7 @@ class Background
 {
 public:
   /*!
-    \param kind "photo", "plain" or "space".
+    \param kind "photo", "wall", "plain" or "space".
     \param seed Chooses the picture and how it moves.
     \throw vpException where there is no such kind, or the photographs are missing.
   */
@@ -38,6 +38,9 @@ private:
   \throw vpException where there is none, telling how to get them.
 */
 cv::Mat openPhoto(std::uint64_t which);
+
+//! A plastered wall with posters on it: clutter that needs no file. 8-bit BGR.
+cv::Mat drawWall(int width, int height, std::uint64_t seed);
 
 //! Stars on black, and a part of the Earth with clouds. 8-bit BGR.
 cv::Mat drawSpace(int width, int height, std::uint64_t seed);

@@ -103,7 +103,8 @@ bool GenerateOptions::read(int argc, const char *const argv[])
   line.add("--frames", "images of each sequence; default 300", scene.frames, 2);
   line.addSetter("--seed", "the same seed gives the same images; default 1",
                  [this](const std::string &value) { setSeed(value, scene); });
-  line.add("--background", "photo, plain or space; default: space for the satellite, photo for the others",
+  line.add("--background",
+           "photo, wall (with posters), plain or space; default: space for the satellite, photo for the others",
            scene.background);
   line.addSetter("--size", "width and height of the images, pixels; default 640x480",
                  [this](const std::string &value) { setSize(value, scene); });

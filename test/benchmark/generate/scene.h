@@ -22,7 +22,7 @@ struct SceneOptions
   int frames = 300;
   std::uint64_t seed = 1; //!< The same one gives the same bytes.
   std::string dataset;    //!< Folder of the data set; made where it is missing.
-  std::string background; //!< "photo", "plain", "space", or empty for the one that suits the object.
+  std::string background; //!< "photo", "wall", "plain", "space", or empty for the one that suits the object.
   unsigned int width = 640;
   unsigned int height = 480;
   double unit = 1.;      //!< Metres per unit of a mesh.
