@@ -138,6 +138,7 @@ TEST_CASE("A preset leaves camera, moving edges, model, clipping and the rest as
     expected.color = fresh.color;
     expected.predicts = fresh.predicts;
     expected.prediction = fresh.prediction;
+    expected.predictsRange = false;
     expected.searches = fresh.searches;
     expected.searchBudget = fresh.searchBudget;
     CHECK(settingsOf(preset, unusual()) == expected);

@@ -100,6 +100,17 @@ TEST_CASE("Every node comes where it belongs")
   keptOnly.view.border = unusual().view.border;
   keptOnly.view.visibilitySize = unusual().view.visibilitySize;
   keptOnly.view.textureEdges = unusual().view.textureEdges;
+  keptOnly.klt.useHarris = unusual().klt.useHarris;
+  keptOnly.klt.leastWeight = unusual().klt.leastWeight;
+  keptOnly.goodRatio = unusual().goodRatio;
+  keptOnly.factors = unusual().factors;
+  keptOnly.predictsRange = unusual().predictsRange;
+  keptOnly.estimation = unusual().estimation;
+  keptOnly.renderer = unusual().renderer;
+  keptOnly.throwsOnLoss = unusual().throwsOnLoss;
+  keptOnly.display = unusual().display;
+  keptOnly.model = unusual().model;
+  keptOnly.modelFile = unusual().modelFile;
   CHECK(readXml(everything, unusual()) == keptOnly);
 }
 
@@ -150,15 +161,17 @@ TEST_CASE("Deprecated nodes are read")
 TEST_CASE("Nodes that are not known are named with file, line, parent and what is known there")
 {
   CHECK_THAT(refusedXml("<ecm>\n<range>\n<traking>8</traking></range></ecm>"),
-             ContainsSubstring("settings.xml', line 5: <traking> is not known in <range>; known there are tracking"));
-  CHECK_THAT(refusedXml("<edge/>"),
-             ContainsSubstring("line 3: <edge> is not known in <conf>; known there are ecm, sample, klt, camera, face, "
-                               "lod, depth_normal, depth_dense, projection_error"));
+             ContainsSubstring("settings.xml', line 5: <traking> is not known in <range>; the nearest is <tracking>, "
+                               "known there are tracking"));
+  CHECK_THAT(refusedXml("<edge/>"), ContainsSubstring("line 3: <edge> is not known in <conf>; the nearest is <ecm>, "
+                                                      "known there are ecm, sample, klt, camera, face, "
+                                                      "lod, depth_normal, depth_dense, projection_error"));
   CHECK_THAT(refusedXml("<camera><pz>1</pz></camera>"),
              ContainsSubstring("<pz> is not known in <camera>") && ContainsSubstring("px, py, u0, v0"));
   // Known, but elsewhere.
-  CHECK_THAT(refusedXml("<ecm><mask><tracking>8</tracking></mask></ecm>"),
-             ContainsSubstring("<tracking> is not known in <mask>; known there are size, nb_mask"));
+  CHECK_THAT(
+      refusedXml("<ecm><mask><tracking>8</tracking></mask></ecm>"),
+      ContainsSubstring("<tracking> is not known in <mask>; the nearest is <size>, known there are size, nb_mask"));
   CHECK_THAT(refusedXml("<klt><quality><harris>1</harris></quality></klt>"),
              ContainsSubstring("<harris> is not known in <quality>"));
 }

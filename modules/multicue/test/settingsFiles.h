@@ -6,10 +6,13 @@
 
 #include <visp3/core/vpException.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
+#include <visp3/se3/vpExactNumber.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 //! Configuration files that tests write and read, and what they are compared with.
 namespace settingsFiles {
@@ -86,7 +89,7 @@ inline vpMultiCueSettings unusual()
   settings.view.border = 1. / 7.;
   settings.view.visibilitySize = 4000000000U;
   settings.view.textureEdges = false;
-  settings.klt = {321, 7, 0.1 / 3., 8. / 3., 0.1 / 7., 5, 2, 9};
+  settings.klt = {321, 7, 0.1 / 3., 8. / 3., 0.1 / 7., 5, 2, 9, false, 1. / 7.};
   settings.cues = 18;
   settings.color.spacing = 10. / 3.;
   settings.color.lines = 123;
@@ -110,72 +113,120 @@ inline vpMultiCueSettings unusual()
   settings.minLineLength = 100. / 3.;
   settings.minPolygonArea = 1000. / 7.;
   settings.clipToImage = true;
+  settings.goodRatio = 1. / 3.;
+  settings.factors = {{1, 1. / 3.}, {2, 2. / 3.}, {16, 4. / 3.}};
+  settings.predictsRange = true;
+  settings.estimation = {
+      vpEstimationSettings::LEVENBERG_MARQUARDT, 2. / 3., 17, 1. / 30., 1e-7 / 3., true, true, {1, 0, 1, 1, 1, 0}};
+  settings.renderer = vpModelRenderer::CPU;
+  settings.throwsOnLoss = true;
+  settings.display = {true, true, true};
+  settings.model = {0.001, 100. / 3., 1e-6 / 3., 1e-3 / 3., 100. / 3.};
+  settings.modelFile = "/objects/thing.obj";
   return settings;
 }
 } // namespace settingsFiles
 
-// In ViSP's namespace, where Catch2 looks for them.
+// In ViSP's namespace, where Catch2 looks for them. Every member is compared to the last digit: what was written has to
+// be what is read.
 BEGIN_VISP_NAMESPACE
-//! Compares every member, to the last digit.
-inline bool operator==(const vpPointCueSettings &a, const vpPointCueSettings &b)
+//! The numbers of one object and of another one.
+using vpNumbers = std::vector<double>;
+inline bool vpSameNumbers(const vpNumbers &a, const vpNumbers &b)
 {
-  return a.maxFeatures == b.maxFeatures && a.windowSize == b.windowSize && a.quality == b.quality &&
-         a.minDistance == b.minDistance && a.harris == b.harris && a.blockSize == b.blockSize &&
-         a.pyramidLevels == b.pyramidLevels && a.useHarris == b.useHarris && a.maskBorder == b.maskBorder;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), vpIsSame);
 }
-inline bool operator==(const vpEdgeCueSettings &a, const vpEdgeCueSettings &b)
+inline vpNumbers vpNumbersOf(const vpPointCueSettings &s)
 {
-  return a.range == b.range && a.contrast == b.contrast && a.mu1 == b.mu1 && a.mu2 == b.mu2 &&
-         a.maskSize == b.maskSize && a.candidates == b.candidates;
+  return {
+      double(s.maxFeatures),   double(s.windowSize), s.quality,           s.minDistance, s.harris, double(s.blockSize),
+      double(s.pyramidLevels), double(s.maskBorder), double(s.useHarris), s.leastWeight};
 }
-inline bool operator==(const vpPoseHypothesisSettings &a, const vpPoseHypothesisSettings &b)
+inline vpNumbers vpNumbersOf(const vpEdgeCueSettings &s)
 {
-  return a.enabled == b.enabled && a.lambda == b.lambda && a.draws == b.draws && a.minimisations == b.minimisations &&
-         a.mergeTolerance == b.mergeTolerance && a.reach == b.reach && a.seed == b.seed;
+  return {s.range, s.contrast, s.mu1, s.mu2, double(s.maskSize), double(s.candidates)};
 }
-inline bool operator==(const vpModelViewOptions &a, const vpModelViewOptions &b)
+inline vpNumbers vpNumbersOf(const vpPoseHypothesisSettings &s)
 {
-  return a.sampleStep == b.sampleStep && a.appearAngle == b.appearAngle && a.disappearAngle == b.disappearAngle &&
-         a.nearDistance == b.nearDistance && a.farDistance == b.farDistance && a.border == b.border &&
-         a.visibilitySize == b.visibilitySize && a.textureEdges == b.textureEdges;
+  return {double(s.enabled), s.lambda, double(s.draws), double(s.minimisations),
+          s.mergeTolerance,  s.reach,  double(s.seed)};
+}
+inline vpNumbers vpNumbersOf(const vpModelViewOptions &s)
+{
+  return {s.sampleStep,  s.appearAngle, s.disappearAngle,         s.nearDistance,
+          s.farDistance, s.border,      double(s.visibilitySize), double(s.textureEdges)};
+}
+inline vpNumbers vpNumbersOf(const vpCameraParameters &s)
+{
+  return {double(s.get_projModel()), s.get_px(), s.get_py(), s.get_u0(), s.get_v0(), s.get_kud(), s.get_kdu()};
+}
+inline vpNumbers vpNumbersOf(const vpColorCueSettings &s)
+{
+  vpNumbers numbers = {s.spacing,          double(s.lines),   s.length,       s.alpha,        s.regularisation,
+                       s.contourDeviation, s.histogramLength, s.learningRate, double(s.rows), double(s.scales.size())};
+  numbers.insert(numbers.end(), s.scales.begin(), s.scales.end());
+  numbers.insert(numbers.end(), s.bands.begin(), s.bands.end());
+  return numbers;
+}
+inline vpNumbers vpNumbersOf(const vpPoseKalmanSettings &s)
+{
+  return {s.translationWander, s.rotationWander, s.startTranslation, s.startRotation, s.longestGap, double(s.smooth)};
+}
+inline vpNumbers vpNumbersOf(const vpParticleSettings &s)
+{
+  return {double(s.enabled), double(s.number),   double(s.leastNumber), double(s.mostNumber),
+          s.budget,          s.translationNoise, s.rotationNoise,       s.motionNoise,
+          s.jumpShare,       s.jumpFactor,       double(s.noiseFrame),  double(s.motion),
+          s.lambda,          s.sharpness,        s.bestShare,           double(s.mostOptimised),
+          double(s.output),  s.modeTranslation,  s.modeRotation,        double(s.seed)};
+}
+inline vpNumbers vpNumbersOf(const vpEstimationSettings &s)
+{
+  vpNumbers numbers = {
+      double(s.method),         s.gain, double(s.maxIterations), s.initialMu, s.convergence, double(s.covariance),
+      double(s.projectionError)};
+  numbers.insert(numbers.end(), s.motions.begin(), s.motions.end());
+  return numbers;
+}
+inline vpNumbers vpNumbersOf(const vpDisplaySettings &s)
+{
+  return {double(s.features), double(s.hypotheses), double(s.particles)};
+}
+inline vpNumbers vpNumbersOf(const vpModelOptions &s)
+{
+  return {s.unit, s.creaseAngle, s.weldTolerance, s.minSize, s.maxSize};
+}
+//! The factor of each cue, 1 where none was set.
+inline vpNumbers vpNumbersOf(const std::map<int, double> &factors)
+{
+  vpNumbers numbers;
+  for (const int type : {1, 2, 16}) {
+    numbers.push_back(factors.count(type) > 0 ? factors.at(type) : 1.);
+  }
+  return numbers;
+}
+template <typename Settings>
+auto operator==(const Settings &a, const Settings &b) -> decltype(vpSameNumbers(vpNumbersOf(a), vpNumbersOf(b)))
+{
+  return vpSameNumbers(vpNumbersOf(a), vpNumbersOf(b));
 }
 inline bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
 {
-  return a.get_projModel() == b.get_projModel() && a.get_px() == b.get_px() && a.get_py() == b.get_py() &&
-         a.get_u0() == b.get_u0() && a.get_v0() == b.get_v0() && a.get_kud() == b.get_kud() &&
-         a.get_kdu() == b.get_kdu();
-}
-inline bool operator==(const vpColorCueSettings &a, const vpColorCueSettings &b)
-{
-  return a.spacing == b.spacing && a.lines == b.lines && a.scales == b.scales && a.bands == b.bands &&
-         a.length == b.length && a.alpha == b.alpha && a.regularisation == b.regularisation &&
-         a.contourDeviation == b.contourDeviation && a.histogramLength == b.histogramLength &&
-         a.learningRate == b.learningRate && a.rows == b.rows;
-}
-inline bool operator==(const vpPoseKalmanSettings &a, const vpPoseKalmanSettings &b)
-{
-  return a.translationWander == b.translationWander && a.rotationWander == b.rotationWander &&
-         a.startTranslation == b.startTranslation && a.startRotation == b.startRotation &&
-         a.longestGap == b.longestGap && a.smooth == b.smooth;
-}
-inline bool operator==(const vpParticleSettings &a, const vpParticleSettings &b)
-{
-  return a.enabled == b.enabled && a.number == b.number && a.leastNumber == b.leastNumber &&
-         a.mostNumber == b.mostNumber && a.budget == b.budget && a.translationNoise == b.translationNoise &&
-         a.rotationNoise == b.rotationNoise && a.motionNoise == b.motionNoise && a.jumpShare == b.jumpShare &&
-         a.jumpFactor == b.jumpFactor && a.noiseFrame == b.noiseFrame && a.motion == b.motion && a.lambda == b.lambda &&
-         a.sharpness == b.sharpness && a.bestShare == b.bestShare && a.mostOptimised == b.mostOptimised &&
-         a.output == b.output && a.modeTranslation == b.modeTranslation && a.modeRotation == b.modeRotation &&
-         a.seed == b.seed;
+  return vpSameNumbers(vpNumbersOf(a), vpNumbersOf(b));
 }
 inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
 {
+  const auto others = [](const vpMultiCueSettings &s) {
+    return vpNumbers{double(s.cues),     double(s.predicts),    s.frameInterval,           double(s.predictsRange),
+                     double(s.searches), s.searchBudget,        double(s.symmetricObject), double(s.useLod),
+                     s.minLineLength,    s.minPolygonArea,      double(s.clipToImage),     s.goodRatio,
+                     double(s.renderer), double(s.throwsOnLoss)};
+  };
   return sameCamera(a.camera, b.camera) && a.edge == b.edge && a.hypotheses == b.hypotheses &&
-         a.particles == b.particles && a.view == b.view && a.klt == b.klt && a.cues == b.cues && a.color == b.color &&
-         a.predicts == b.predicts && a.prediction == b.prediction && a.frameInterval == b.frameInterval &&
-         a.searches == b.searches && a.searchBudget == b.searchBudget && a.symmetries == b.symmetries &&
-         a.symmetricObject == b.symmetricObject && a.useLod == b.useLod && a.minLineLength == b.minLineLength &&
-         a.minPolygonArea == b.minPolygonArea && a.clipToImage == b.clipToImage;
+         a.particles == b.particles && a.view == b.view && a.klt == b.klt && a.color == b.color &&
+         a.prediction == b.prediction && a.estimation == b.estimation && a.display == b.display && a.model == b.model &&
+         vpSameNumbers(vpNumbersOf(a.factors), vpNumbersOf(b.factors)) && a.symmetries == b.symmetries &&
+         a.modelFile == b.modelFile && vpSameNumbers(others(a), others(b));
 }
 END_VISP_NAMESPACE
 

@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 BEGIN_VISP_NAMESPACE
 namespace vpSettingsDetail {
@@ -16,16 +15,18 @@ struct FileSettings
 {
   vpMultiCueSettings settings;
   std::optional<vpMultiCuePreset> preset;
-  std::set<std::string> said;    //!< Names of entries of settingsTable(); of a JSON file only.
-  std::string tracker;           //!< The one of ViSP that a JSON file is written for, if it is not this one.
-  std::vector<std::string> left; //!< What a file of another tracker of ViSP says and there is nothing like here.
+  std::set<std::string> said; //!< Names of entries of settingsTable(); of a JSON file only.
+  vpConfigReport report;
 
   bool says(const std::string &name) const { return said.count(name) > 0; }
 };
 
 //! vpMultiCueSettingsReader::read() without printing.
 FileSettings readSettings(const std::string &file, const vpMultiCueSettings &defaults);
-void printSettings(const std::string &file, const FileSettings &settings);
+void printSettings(const FileSettings &settings);
+//! Writes a file from which readSettings() gets the same. \param preset See jsonText().
+void writeSettings(const std::string &file, const vpMultiCueSettings &settings,
+                   std::optional<vpMultiCuePreset> preset = std::nullopt);
 } // namespace vpSettingsDetail
 END_VISP_NAMESPACE
 #endif

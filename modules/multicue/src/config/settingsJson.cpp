@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "config/settingsJson.h"
 
-#include "config/settingsTable.h"
+#include "config/jsonValues.h"
+#include "config/settingsNames.h"
 #include "config/settingsText.h"
 #include "config/settingsVispJson.h"
 
 #include <visp3/core/vpException.h>
-
-#include <nlohmann/json.hpp>
+#include <visp3/multicue/vpCueKind.h>
 
 #include <algorithm>
-#include <type_traits>
+#include <string_view>
 
 BEGIN_VISP_NAMESPACE
 namespace vpSettingsDetail {
 namespace {
-using Json = nlohmann::ordered_json; // In the order of the table.
-
-const std::string presetKey = "preset";
-
 [[noreturn]] void refuse(const std::string &file, const std::string &reason)
 {
   throw vpException(vpException::badValue, "Configuration file '" + file + "': " + reason);
@@ -45,153 +41,18 @@ Json parse(const std::string &file)
   }
 }
 
-std::vector<std::string> objectNames()
+// Where one of several words was meant.
+std::string nearestWord(const Json &given, const std::vector<std::string> &words)
 {
-  std::vector<std::string> names = {presetKey};
-  for (const Entry &entry : settingsTable()) {
-    if (names.empty() || names.back() != entry.object) {
-      names.push_back(entry.object);
-    }
-  }
-  return names;
-}
-
-std::vector<std::string> keysOf(const std::string &object)
-{
-  std::vector<std::string> keys;
-  for (const Entry &entry : settingsTable()) {
-    if (entry.object == object) {
-      keys.push_back(entry.key);
-    }
-  }
-  return keys;
-}
-
-void requireKnown(const std::string &file, const std::string &what, const std::string &name,
-                  const std::vector<std::string> &known)
-{
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    refuse(file, "'" + name + "' is not known " + what + "; known are " + listText(known));
-  }
-}
-
-template <typename Value> bool hasType(const Json &json)
-{
-  if constexpr (std::is_same_v<Value, bool>) {
-    return json.is_boolean();
-  } else if constexpr (std::is_integral_v<Value>) {
-    return json.is_number_integer();
-  } else {
-    return json.is_number();
-  }
-}
-
-// The range is tested before the value becomes an integer, which may have no room for it.
-template <typename Value>
-auto assign(const Json &json, const Range &range, Value &value) -> std::enable_if_t<std::is_arithmetic_v<Value>, bool>
-{
-  if (!hasType<Value>(json) || (json.is_number() && !range.contains(json.get<double>()))) {
-    return false;
-  }
-  value = json.get<Value>();
-  return true;
-}
-
-bool assign(const Json &json, const Range &range, std::optional<double> &value)
-{
-  return assign(json, range, value.emplace());
-}
-
-template <typename Value> bool assign(const Json &json, const Range &range, std::vector<Value> &values)
-{
-  if (!json.is_array()) {
-    return false;
-  }
-  values.assign(json.size(), Value());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!assign(json[i], range, values[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-std::optional<int> meaning(const Json &json, const Words &words)
-{
-  for (const auto &[name, value] : words) {
-    if (json == name) {
-      return value;
-    }
-  }
-  return std::nullopt;
-}
-
-template <typename Enum>
-auto assign(const Json &json, const Range &, Enum &choice) -> std::enable_if_t<std::is_enum_v<Enum>, bool>
-{
-  const std::optional<int> value = meaning(json, wordsOf(Enum()));
-  choice = value ? static_cast<Enum>(*value) : choice;
-  return value.has_value();
-}
-
-bool assign(const Json &json, const Range &, std::string &text)
-{
-  text = json.is_string() ? json.get<std::string>() : std::string();
-  return json.is_string();
-}
-
-bool assign(const Json &json, const Range &, CueSum &cues)
-{
-  cues.sum = 0;
-  for (const Json &one : json.is_array() ? json : Json::array()) {
-    const std::optional<int> value = meaning(one, cueWords());
-    if (!value) {
-      return false;
-    }
-    cues.sum |= *value;
-  }
-  return cues.sum != 0;
-}
-
-Json toJson(const std::optional<double> &value)
-{
-  return *value;
-}
-
-template <typename Enum> Json wordOf(Enum choice)
-{
-  for (const auto &[name, value] : wordsOf(choice)) {
-    if (value == static_cast<int>(choice)) {
-      return name;
-    }
-  }
-  return nullptr;
-}
-
-Json toJson(const CueSum &cues)
-{
-  Json names = Json::array();
-  for (const auto &[name, value] : cueWords()) {
-    if ((cues.sum & value) != 0) {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
-template <typename Value> Json toJson(const Value &value)
-{
-  if constexpr (std::is_enum_v<Value>) {
-    return wordOf(value);
-  } else {
-    return value;
-  }
+  return given.is_string() && !words.empty() ? "; the nearest is '" + nearestName(given.get<std::string>(), words) + "'"
+                                             : "";
 }
 
 void readValue(const std::string &file, const Entry &entry, const Json &given, Draft &draft)
 {
-  if (!std::visit([&](auto at) { return assign(given, entry.range, at(draft)); }, entry.place)) {
-    refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe());
+  if (!readPlace(entry, given, draft)) {
+    refuse(file, entry.name() + " is " + given.dump() + ", it must be " + entry.describe() +
+                     nearestWord(given, entry.words()));
   }
   draft.said.insert(entry.name());
 }
@@ -202,30 +63,69 @@ void readPreset(const std::string &file, const Json &json, Draft &draft)
   const std::vector<std::string> known = vpMultiCuePresetNames();
   const std::string name = json.is_string() ? json.get<std::string>() : std::string();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    refuse(file, presetKey + " is " + json.dump() + ", it must be one of " + listText(known));
+    refuse(file, std::string(presetKey) + " is " + json.dump() + ", it must be one of " + listText(known) +
+                     nearestWord(json, known));
   }
   draft.setPreset(vpMultiCuePresetFromString(name));
+  draft.said.insert(presetKey);
+}
+
+// true and false, which are short for an object that says nothing else.
+void readSwitch(const std::string &file, const std::string &object, bool isOn, Draft &draft)
+{
+  if (object == "symmetries") {
+    readValue(file, settingsEntry("symmetries.from"), isOn ? "find" : "none", draft);
+  } else {
+    readValue(file, settingsEntry(object + '.' + enabledKey), isOn, draft);
+  }
+}
+
+void readKey(const std::string &file, const std::string &object, const std::string &key, const Json &value,
+             Draft &draft)
+{
+  for (const OtherName &other : otherNames()) {
+    if (object == other.object && key == other.key) {
+      return readKey(file, other.knownObject, other.knownKey, value, draft);
+    }
+  }
+  const std::vector<std::string> known = keysOf(object);
+  if (std::find(known.begin(), known.end(), key) == known.end()) {
+    std::string elsewhere;
+    for (const Entry &entry : settingsTable()) {
+      elsewhere = entry.key == key ? "; it belongs to '" + std::string(entry.object) + "'" : elsewhere;
+    }
+    refuse(file, unknownText("in '" + object + "'", key, known) + elsewhere);
+  }
+  readValue(file, settingsEntry(object + '.' + key), value, draft);
 }
 
 void readObject(const std::string &file, const std::string &object, const Json &json, Draft &draft)
 {
-  requireKnown(file, "as an object", object, objectNames());
-  if (keysOf(object) == std::vector<std::string>{""}) {
-    readValue(file, settingsEntry(object), json, draft);
-    return;
+  for (const OtherName &other : otherNames()) {
+    if (object == other.object && *other.key == '\0') {
+      return *other.knownKey == '\0' ? readObject(file, other.knownObject, json, draft)
+                                     : readKey(file, other.knownObject, other.knownKey, json, draft);
+    }
+  }
+  const std::vector<std::string> objects = objectNames();
+  if (std::find(objects.begin(), objects.end(), object) == objects.end()) {
+    refuse(file, unknownText("as an object", object, objects));
+  }
+  if (isValue(object)) {
+    return readValue(file, settingsEntry(object), json, draft);
+  }
+  if (json.is_boolean() && isFeature(object)) {
+    return readSwitch(file, object, json.get<bool>(), draft);
   }
   if (!json.is_object()) {
-    refuse(file, "'" + object + "' is " + json.dump() + ", it must be an object {...} with any of the keys " +
-                     listText(keysOf(object)));
+    refuse(file, "'" + object + "' is " + json.dump() + ", it must be " + (isFeature(object) ? "true, false or " : "") +
+                     "an object {...} with any of the keys " + listText(keysOf(object)));
   }
   for (const auto &[key, value] : json.items()) {
-    requireKnown(file, "in '" + object + "'", key, keysOf(object));
-    readValue(file, settingsEntry(object + '.' + key), value, draft);
+    readKey(file, object, key, value, draft);
   }
 }
-} // namespace
 
-namespace {
 // In the words of this tracker, whichever one of ViSP it was written for.
 Json parseKnown(const std::string &file, Draft &draft)
 {
@@ -235,12 +135,31 @@ Json parseKnown(const std::string &file, Draft &draft)
   }
   try {
     VispJson other = readVispJson(json);
-    draft.tracker = other.tracker;
-    draft.left = other.left;
-    return other.tracker.empty() ? json : other.known;
+    draft.report = other.report;
+    if (other.report.format != vpConfigReport::Format::NONE) {
+      return other.known;
+    }
   } catch (const vpException &error) {
     refuse(file, error.getMessage());
   }
+  draft.report.format = vpConfigReport::Format::MULTI_CUE_JSON;
+  return json;
+}
+
+void requireOneWord(const std::string &file, const Draft &draft)
+{
+  const auto require = [&](const std::optional<bool> &isOn, const char *object, const char *cue) {
+    const auto words = cueWords();
+    const auto kind = std::find_if(words.begin(), words.end(), [&](const auto &word) { return word.first == cue; });
+    const bool isAmong = (draft.cues.sum & kind->second) != 0;
+    if (isOn && *isOn != isAmong && draft.said.count("cues") > 0) {
+      refuse(file, std::string("'") + object + "' is " + (*isOn ? "on" : "off") + ", but 'cues' " +
+                       (isAmong ? "has " : "has no ") + cue + ": say it in one of both places");
+    }
+  };
+  require(draft.usesEdges, "edge", "edge");
+  require(draft.usesPoints, "klt", "point");
+  require(draft.usesColors, "color", "color");
 }
 } // namespace
 
@@ -255,20 +174,31 @@ void readJson(const std::string &file, Draft &draft)
     readPreset(file, json[presetKey], draft);
   }
   for (const auto &[object, value] : json.items()) {
-    if (object != presetKey) {
+    if (object != presetKey && object != schemaKey) {
       readObject(file, object, value, draft);
+    }
+  }
+  requireOneWord(file, draft);
+  if (draft.report.format == vpConfigReport::Format::MULTI_CUE_JSON) {
+    for (const std::string &name : draft.said) {
+      draft.report.taken.push_back({name, name, ""});
     }
   }
 }
 
-std::string jsonText(const vpMultiCueSettings &settings)
+std::string jsonText(const vpMultiCueSettings &settings, std::optional<vpMultiCuePreset> preset)
 {
   Draft draft(settings);
   Json json = Json::object();
+  if (preset) {
+    json[presetKey] = toString(*preset);
+    draft.sayCuesBeside(*preset);
+  }
   for (const Entry &entry : settingsTable()) {
-    if (entry.isSet(draft)) {
+    const bool isSaid = preset && std::string_view(entry.object) == "cues";
+    if (entry.isSet(draft) && !isSaid) {
       Json &place = *entry.key == '\0' ? json[entry.object] : json[entry.object][entry.key];
-      std::visit([&](auto at) { place = toJson(at(draft)); }, entry.place);
+      place = placeAsJson(entry, draft);
     }
   }
   return json.dump(2) + '\n';

@@ -4,6 +4,7 @@
 
 #include <visp3/multicue/vpMultiCueSettings.h>
 
+#include <optional>
 #include <string>
 
 BEGIN_VISP_NAMESPACE
@@ -13,8 +14,15 @@ struct Draft;
 //! Puts what a JSON file says into \e draft. \throw vpException naming the file, and the place where it is wrong.
 void readJson(const std::string &file, Draft &draft);
 
-//! \return The settings as JSON, one line for each, to the last digit.
-std::string jsonText(const vpMultiCueSettings &settings);
+/*!
+  \param settings What to write. \param preset The one that they began with: it is said first, and of the cues only
+  what differs from its own.
+  \return The settings as JSON, one line for each, to the last digit.
+*/
+std::string jsonText(const vpMultiCueSettings &settings, std::optional<vpMultiCuePreset> preset = std::nullopt);
+
+//! vpMultiCueSettingsReader::jsonSchema().
+std::string jsonSchemaText();
 } // namespace vpSettingsDetail
 END_VISP_NAMESPACE
 #endif

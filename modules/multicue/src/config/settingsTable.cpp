@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "config/settingsTable.h"
 
-#include "config/settingsText.h"
-
 #include <visp3/core/vpException.h>
-#include <visp3/multicue/vpCueKind.h>
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
-#include <type_traits>
 
 BEGIN_VISP_NAMESPACE
 namespace vpSettingsDetail {
@@ -38,10 +32,22 @@ template <auto Member> constexpr auto ofKlt = &ofPart<&vpMultiCueSettings::klt, 
 template <auto Member> constexpr auto ofColor = &ofPart<&vpMultiCueSettings::color, Member>;
 template <auto Member> constexpr auto ofParticles = &ofPart<&vpMultiCueSettings::particles, Member>;
 template <auto Member> constexpr auto ofPrediction = &ofPart<&vpMultiCueSettings::prediction, Member>;
+template <auto Member> constexpr auto ofEstimation = &ofPart<&vpMultiCueSettings::estimation, Member>;
+template <auto Member> constexpr auto ofDisplay = &ofPart<&vpMultiCueSettings::display, Member>;
+template <auto Member> constexpr auto ofModel = &ofPart<&vpMultiCueSettings::model, Member>;
 
-CueSum &ofCues(Draft &draft)
+// What is no part of the settings themselves.
+template <auto Member> auto &ofDraft(Draft &draft)
 {
-  return draft.cues;
+  return draft.*Member;
+}
+
+// Of text: what it has to say.
+Range text(const char *description)
+{
+  Range range;
+  range.unit = description;
+  return range;
 }
 
 Range between(double low, double high, const char *unit = "")
@@ -55,175 +61,6 @@ Range above(double low, double high = infinite, const char *unit = "")
 }
 } // namespace
 
-CameraParts CameraParts::of(const vpCameraParameters &camera)
-{
-  CameraParts parts = {camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), std::nullopt, std::nullopt};
-  if (camera.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion) {
-    parts.kud = camera.get_kud();
-    parts.kdu = camera.get_kdu();
-  }
-  return parts;
-}
-
-vpCameraParameters CameraParts::camera() const
-{
-  vpCameraParameters camera;
-  if (kud || kdu) {
-    camera.initPersProjWithDistortion(px, py, u0, v0, kud.value_or(0.), kdu.value_or(0.));
-  } else {
-    camera.initPersProjWithoutDistortion(px, py, u0, v0);
-  }
-  return camera;
-}
-
-bool CameraParts::operator==(const CameraParts &other) const
-{
-  return std::tie(px, py, u0, v0, kud, kdu) == std::tie(other.px, other.py, other.u0, other.v0, other.kud, other.kdu);
-}
-
-Draft::Draft(const vpMultiCueSettings &settings)
-    : members(settings), camera(CameraParts::of(settings.camera)), cues{settings.cues}
-{
-}
-
-vpMultiCueSettings Draft::settings() const
-{
-  vpMultiCueSettings settings = members;
-  settings.cues = cues.sum;
-  if (!(camera == CameraParts::of(members.camera))) {
-    settings.camera = camera.camera();
-  }
-  return settings;
-}
-
-void Draft::setPreset(vpMultiCuePreset chosen)
-{
-  members.setPreset(chosen);
-  cues.sum = members.cues;
-  preset = chosen;
-}
-
-bool Range::contains(double value) const
-{
-  return std::isfinite(value) && (lowIncluded ? value >= low : value > low) && value <= high;
-}
-
-std::string Range::describe(const std::string &noun) const
-{
-  const std::string start = "a " + noun;
-  if (std::isinf(low)) {
-    return start + unit;
-  }
-  if (std::isinf(high)) {
-    return start + (lowIncluded ? " of at least " : " above ") + numberText(low) + unit;
-  }
-  return start + " in " + (lowIncluded ? "[" : "(") + numberText(low) + ", " + numberText(high) + "]" + unit;
-}
-
-std::string Entry::name() const
-{
-  return *key == '\0' ? std::string(object) : std::string(object) + '.' + key;
-}
-
-namespace {
-template <typename Value> struct IsList : std::false_type
-{
-};
-template <typename Value> struct IsList<std::vector<Value>> : std::true_type
-{
-};
-} // namespace
-
-std::vector<double> Entry::values(Draft &draft) const
-{
-  return std::visit(
-      [&](auto at) -> std::vector<double> {
-        using Value = std::decay_t<decltype(at(draft))>;
-        if constexpr (std::is_same_v<Value, std::optional<double>>) {
-          return at(draft) ? std::vector<double>{*at(draft)} : std::vector<double>();
-        } else if constexpr (IsList<Value>::value) {
-          return std::vector<double>(at(draft).begin(), at(draft).end());
-        } else if constexpr (std::is_arithmetic_v<Value>) {
-          return {static_cast<double>(at(draft))};
-        } else {
-          return {};
-        }
-      },
-      place);
-}
-
-bool Entry::isSet(Draft &draft) const
-{
-  const auto *optional = std::get_if<std::optional<double> &(*)(Draft &)>(&place);
-  return optional == nullptr || (*optional)(draft).has_value();
-}
-
-std::string Entry::describe() const
-{
-  return std::visit(
-      [&](auto at) -> std::string {
-        using Value = std::decay_t<decltype(at(std::declval<Draft &>()))>;
-        if constexpr (std::is_same_v<Value, bool>) {
-          return "true or false";
-        } else if constexpr (std::is_enum_v<Value>) {
-          return "one of " + listText(namesOf(wordsOf(Value())));
-        } else if constexpr (std::is_same_v<Value, CueSum>) {
-          return "a list of one or more of " + listText(namesOf(cueWords()));
-        } else if constexpr (std::is_same_v<Value, std::string>) {
-          return "\"none\", \"find\", the path of a models_info.json, or \"\" for what the program says";
-        } else if constexpr (IsList<Value>::value) {
-          return "a list [...], each " +
-                 range.describe(std::is_integral_v<typename Value::value_type> ? "whole number" : "number");
-        } else {
-          return range.describe(std::is_integral_v<Value> ? "whole number" : "number");
-        }
-      },
-      place);
-}
-
-const Words &wordsOf(vpColorCueSettings::Rows)
-{
-  static const Words words = {{"lines", vpColorCueSettings::LINES}, {"pixels", vpColorCueSettings::PIXELS}};
-  return words;
-}
-
-const Words &wordsOf(vpParticleSettings::NoiseFrame)
-{
-  static const Words words = {{"object", vpParticleSettings::OBJECT}, {"camera", vpParticleSettings::CAMERA}};
-  return words;
-}
-
-const Words &wordsOf(vpParticleSettings::Motion)
-{
-  static const Words words = {{"random walk", vpParticleSettings::RANDOM_WALK},
-                              {"velocity", vpParticleSettings::VELOCITY}};
-  return words;
-}
-
-const Words &wordsOf(vpParticleSettings::Output)
-{
-  static const Words words = {{"mean", vpParticleSettings::MEAN}, {"best mode", vpParticleSettings::BEST_MODE}};
-  return words;
-}
-
-Words cueWords()
-{
-  Words words;
-  for (const vpCueKind &kind : vpCueKinds::all()) {
-    words.emplace_back(kind.name, kind.type);
-  }
-  return words;
-}
-
-std::vector<std::string> namesOf(const Words &words)
-{
-  std::vector<std::string> names;
-  for (const auto &[name, value] : words) {
-    names.emplace_back(name);
-  }
-  return names;
-}
-
 const std::vector<Entry> &settingsTable()
 {
   using Settings = vpMultiCueSettings;
@@ -234,20 +71,25 @@ const std::vector<Entry> &settingsTable()
   using Color = vpColorCueSettings;
   using Prediction = vpPoseKalmanSettings;
   using Particles = vpParticleSettings;
+  using Estimation = vpEstimationSettings;
+  using Display = vpDisplaySettings;
+  using Model = vpModelOptions;
   static const std::vector<Entry> table = {
-      {"cues", "", &ofCues, {}},
+      {"cues", "", &ofDraft<&Draft::cues>, {}},
       {"camera", "px", &ofCamera<&CameraParts::px>, above(0., infinite, " pixels")},
       {"camera", "py", &ofCamera<&CameraParts::py>, above(0., infinite, " pixels")},
       {"camera", "u0", &ofCamera<&CameraParts::u0>, {}},
       {"camera", "v0", &ofCamera<&CameraParts::v0>, {}},
       {"camera", "kud", &ofCamera<&CameraParts::kud>, {}},
       {"camera", "kdu", &ofCamera<&CameraParts::kdu>, {}},
+      {"edge", "enabled", &ofDraft<&Draft::usesEdges>, {}},
       {"edge", "range", ofEdge<&Edge::range>, between(1., 100., " pixels")},
       {"edge", "contrast", ofEdge<&Edge::contrast>, above(0., 255., " gray levels")},
       {"edge", "mu1", ofEdge<&Edge::mu1>, between(0., 1.)},
       {"edge", "mu2", ofEdge<&Edge::mu2>, between(0., infinite)},
       {"edge", "maskSize", ofEdge<&Edge::maskSize>, between(3., 15., " pixels")},
       {"edge", "candidates", ofEdge<&Edge::candidates>, between(1., 8.)},
+      {"edge", "goodRatio", &ofSettings<&Settings::goodRatio>, between(0., 1.)},
       {"hypotheses", "enabled", ofHypotheses<&Hypotheses::enabled>, {}},
       {"hypotheses", "lambda", ofHypotheses<&Hypotheses::lambda>, between(0., 100.)},
       {"hypotheses", "draws", ofHypotheses<&Hypotheses::draws>, between(1., 10000.)},
@@ -285,6 +127,7 @@ const std::vector<Entry> &settingsTable()
        between(16., std::numeric_limits<unsigned int>::max(), " pixels")},
       {"view", "textureEdges", ofView<&View::textureEdges>, {}},
       {"view", "clipToImage", &ofSettings<&Settings::clipToImage>, {}},
+      {"klt", "enabled", &ofDraft<&Draft::usesPoints>, {}},
       {"klt", "maxFeatures", ofKlt<&Klt::maxFeatures>, between(1., 100000.)},
       {"klt", "windowSize", ofKlt<&Klt::windowSize>, between(3., 63., " pixels")},
       {"klt", "quality", ofKlt<&Klt::quality>, above(0., 1.)},
@@ -293,6 +136,9 @@ const std::vector<Entry> &settingsTable()
       {"klt", "blockSize", ofKlt<&Klt::blockSize>, between(1., 63., " pixels")},
       {"klt", "pyramidLevels", ofKlt<&Klt::pyramidLevels>, between(1., 10.)},
       {"klt", "maskBorder", ofKlt<&Klt::maskBorder>, between(0., 100., " pixels")},
+      {"klt", "useHarris", ofKlt<&Klt::useHarris>, {}},
+      {"klt", "leastWeight", ofKlt<&Klt::leastWeight>, between(0., 0.999)},
+      {"color", "enabled", &ofDraft<&Draft::usesColors>, {}},
       {"color", "spacing", ofColor<&Color::spacing>, between(1., 100., " pixels")},
       {"color", "lines", ofColor<&Color::lines>, between(10., 5000.)},
       {"color", "scales", ofColor<&Color::scales>, between(1., 20., " pixels")},
@@ -312,14 +158,36 @@ const std::vector<Entry> &settingsTable()
       {"prediction", "startRotation", ofPrediction<&Prediction::startRotation>, above(0., infinite, " rad/s")},
       {"prediction", "longestGap", ofPrediction<&Prediction::longestGap>, above(0., infinite, " seconds")},
       {"prediction", "smooth", ofPrediction<&Prediction::smooth>, {}},
-      {"search", "", &ofSettings<&Settings::searches>, {}},
-      {"searchBudget", "", &ofSettings<&Settings::searchBudget>, between(0., 10000., " milliseconds")},
-      {"symmetries", "from", &ofSettings<&Settings::symmetries>, {}},
+      {"prediction", "range", &ofSettings<&Settings::predictsRange>, {}},
+      {"search", "enabled", &ofSettings<&Settings::searches>, {}},
+      {"search", "budget", &ofSettings<&Settings::searchBudget>, between(0., 10000., " milliseconds")},
+      {"symmetries", "from", &ofSettings<&Settings::symmetries>,
+       text("\"none\", \"find\", the path of a models_info.json, or \"\" for what the program says")},
       {"symmetries", "object", &ofSettings<&Settings::symmetricObject>,
        between(0., std::numeric_limits<unsigned int>::max())},
-      {"lod", "use", &ofSettings<&Settings::useLod>, {}},
+      {"lod", "enabled", &ofSettings<&Settings::useLod>, {}},
       {"lod", "minLineLength", &ofSettings<&Settings::minLineLength>, between(0., infinite, " pixels")},
-      {"lod", "minPolygonArea", &ofSettings<&Settings::minPolygonArea>, between(0., infinite, " square pixels")}};
+      {"lod", "minPolygonArea", &ofSettings<&Settings::minPolygonArea>, between(0., infinite, " square pixels")},
+      {"factors", "", &ofSettings<&Settings::factors>, above(0., 1e6)},
+      {"estimation", "method", ofEstimation<&Estimation::method>, {}},
+      {"estimation", "gain", ofEstimation<&Estimation::gain>, above(0., 10.)},
+      {"estimation", "maxIterations", ofEstimation<&Estimation::maxIterations>, between(1., 10000.)},
+      {"estimation", "initialMu", ofEstimation<&Estimation::initialMu>, between(0., infinite)},
+      {"estimation", "convergence", ofEstimation<&Estimation::convergence>, between(0., infinite)},
+      {"estimation", "covariance", ofEstimation<&Estimation::covariance>, {}},
+      {"estimation", "projectionError", ofEstimation<&Estimation::projectionError>, {}},
+      {"estimation", "motions", ofEstimation<&Estimation::motions>, between(0., 1.)},
+      {"model", "file", &ofSettings<&Settings::modelFile>, text("the path of a model, or \"\" for none")},
+      {"model", "unit", ofModel<&Model::unit>, above(0., infinite, " metres")},
+      {"model", "creaseAngle", ofModel<&Model::creaseAngle>, above(0., 179.999, " degrees")},
+      {"model", "weldTolerance", ofModel<&Model::weldTolerance>, between(0., 0.01, " diameters")},
+      {"model", "minSize", ofModel<&Model::minSize>, above(0., infinite, " metres")},
+      {"model", "maxSize", ofModel<&Model::maxSize>, above(0., infinite, " metres")},
+      {"display", "features", ofDisplay<&Display::features>, {}},
+      {"display", "hypotheses", ofDisplay<&Display::hypotheses>, {}},
+      {"display", "particles", ofDisplay<&Display::particles>, {}},
+      {"renderer", "", &ofSettings<&Settings::renderer>, {}},
+      {"throwOnLoss", "", &ofSettings<&Settings::throwsOnLoss>, {}}};
   return table;
 }
 

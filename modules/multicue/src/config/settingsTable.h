@@ -5,6 +5,7 @@
 #include <visp3/multicue/vpMultiCueSettings.h>
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,14 +39,17 @@ struct Draft
   //! The camera is the one that the draft was made from unless a part of it was changed.
   vpMultiCueSettings settings() const;
   void setPreset(vpMultiCuePreset preset);
+  //! Says the cues by switches, those in which they differ from a preset's.
+  void sayCuesBeside(vpMultiCuePreset preset);
 
   vpMultiCueSettings members;
   CameraParts camera;
   CueSum cues;
+  // Cues that a file switches on or off beside this sum.
+  std::optional<bool> usesEdges, usesPoints, usesColors;
   std::optional<vpMultiCuePreset> preset; //!< That a file said.
   std::set<std::string> said;             //!< Names of the entries that a file said.
-  std::string tracker;                    //!< The one of ViSP that a JSON file is written for, if it is not this one.
-  std::vector<std::string> left;          //!< What a file of ViSP says and there is nothing like here.
+  vpConfigReport report;
 };
 
 //! The values that a setting can have.
@@ -54,7 +58,7 @@ struct Range
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool lowIncluded = true;
-  const char *unit = ""; // With a space before it.
+  const char *unit = ""; // With a space before it; of a text, all that is to be said of it.
 
   bool contains(double value) const;
   //! \return For instance "a whole number in [3, 15] pixels". \param noun "number" or "whole number".
@@ -62,8 +66,10 @@ struct Range
 };
 
 //! A function for each type that a setting can have, which gives its place in a draft.
-using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), int &(*)(Draft &),
-                           unsigned int &(*)(Draft &), bool &(*)(Draft &), std::vector<unsigned int> &(*)(Draft &),
+using Place = std::variant<double &(*)(Draft &), std::optional<double> &(*)(Draft &), std::optional<bool> &(*)(Draft &),
+                           std::map<int, double> &(*)(Draft &), vpEstimationSettings::Method &(*)(Draft &),
+                           vpModelRenderer::Preference &(*)(Draft &), int &(*)(Draft &), unsigned int &(*)(Draft &),
+                           bool &(*)(Draft &), std::vector<unsigned int> &(*)(Draft &),
                            std::vector<double> &(*)(Draft &), vpColorCueSettings::Rows &(*)(Draft &),
                            vpParticleSettings::NoiseFrame &(*)(Draft &), vpParticleSettings::Motion &(*)(Draft &),
                            vpParticleSettings::Output &(*)(Draft &), CueSum &(*)(Draft &), std::string &(*)(Draft &)>;
@@ -75,6 +81,8 @@ const Words &wordsOf(vpColorCueSettings::Rows);
 const Words &wordsOf(vpParticleSettings::NoiseFrame);
 const Words &wordsOf(vpParticleSettings::Motion);
 const Words &wordsOf(vpParticleSettings::Output);
+const Words &wordsOf(vpEstimationSettings::Method);
+const Words &wordsOf(vpModelRenderer::Preference);
 //! Of all kinds of cues that there are.
 Words cueWords();
 std::vector<std::string> namesOf(const Words &words);
@@ -92,8 +100,10 @@ struct Entry
   //! \return Its values, false and true as 0 and 1, those of a list in a row; none for a distortion that the camera
   //! does not have, and for words.
   std::vector<double> values(Draft &draft) const;
-  //! \return False for a distortion that the camera does not have.
+  //! \return False for a distortion that the camera does not have, and for a cue that was not switched.
   bool isSet(Draft &draft) const;
+  //! \return The words that it can be, where it is words.
+  std::vector<std::string> words() const;
   //! \return What is to be written for it, for instance "true or false".
   std::string describe() const;
 };

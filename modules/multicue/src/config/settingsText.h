@@ -19,6 +19,10 @@ std::string numberText(double value);
 //! \return Names separated by commas.
 std::string listText(const std::vector<std::string> &names);
 
+//! \return The one of some names that is the nearest to one that is none of them: the fewest letters to be put in, left
+//! out, exchanged or swapped with their neighbour, capitals aside. Empty where there are no names.
+std::string nearestName(const std::string &name, const std::vector<std::string> &known);
+
 //! \return The number that the whole text is (spaces around it are allowed), whatever the locale.
 std::optional<double> parseNumber(const std::string &text);
 //! \return Likewise, without decimals or exponent.

@@ -1,233 +1,302 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "config/settingsVispJson.h"
 
-#include "config/settingsText.h"
+#include "config/vispJsonCarrier.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/cues/vpEdgeCue.h>
 
 #include <algorithm>
-#include <initializer_list>
 
 BEGIN_VISP_NAMESPACE
 namespace vpSettingsDetail {
 namespace {
-using Json = nlohmann::ordered_json;
+using Json = VispJsonCarrier::Json;
+using Format = vpConfigReport::Format;
+
+constexpr const char *ownSteps = "the estimation ends by itself where steps no longer move anything";
+constexpr const char *ownWeights = "each cue is weighed by its own errors, and by 'factors'";
+constexpr const char *needsMask = "a mask is given by setMask()";
+constexpr const char *needsDepth = "it needs a depth camera";
 
 [[noreturn]] void refuse(const std::string &reason)
 {
   throw vpException(vpException::badValue, reason);
 }
 
-const Json &object(const Json &parent, const std::string &name)
+// ViSP's own name of the model, or the older one with "Proj" in it.
+bool isDistorted(const std::string &model)
 {
-  static const Json none = Json::object();
-  if (!parent.is_object() || !parent.contains(name)) {
-    return none;
+  const bool with = model == "perspectiveWithDistortion" || model == "perspectiveProjWithDistortion";
+  if (!with && model != "perspectiveWithoutDistortion" && model != "perspectiveProjWithoutDistortion") {
+    refuse("the camera model '" + model +
+           "' is not known: perspectiveWithoutDistortion and perspectiveWithDistortion are; undistort the images of "
+           "other cameras first");
   }
-  if (!parent[name].is_object()) {
-    refuse("'" + name + "' is no object {...}");
-  }
-  return parent[name];
+  return with;
 }
 
-// Carries members over under other names, and notes the rest.
-class Carrier
+void takeCamera(const std::string &place, VispJsonCarrier &carrier)
 {
-public:
-  explicit Carrier(VispJson &result) : m_result(result) {}
-
-  struct Name
-  {
-    const char *theirs;
-    const char *object;
-    const char *ours;
-  };
-
-  void carry(const Json &from, const std::string &place, const std::vector<Name> &names,
-             const std::vector<std::string> &otherwise)
-  {
-    for (const auto &[key, value] : from.items()) {
-      const std::string &theirs = key;
-      const auto name = std::find_if(names.begin(), names.end(), [&](const Name &one) { return theirs == one.theirs; });
-      if (name != names.end()) {
-        m_result.known[name->object][name->ours] = value;
-      } else if (std::find(otherwise.begin(), otherwise.end(), theirs) == otherwise.end()) {
-        m_result.left.push_back(place.empty() ? theirs : place + "." + theirs);
-      }
-    }
+  const Json &camera = carrier.objectAt(place);
+  if (camera.empty()) {
+    return;
   }
-
-private:
-  VispJson &m_result;
-};
-
-void takeCamera(const Json &camera, const std::string &place, VispJson &result)
-{
-  const std::string model = camera.value("model", std::string("perspectiveWithoutDistortion"));
-  const bool distorted = model == "perspectiveWithDistortion";
-  if (!distorted && model != "perspectiveWithoutDistortion") {
-    refuse("the camera model '" + model +
-           "' is not known: perspectiveWithoutDistortion and perspectiveWithDistortion are");
-  }
-  std::vector<std::string> needed = {"px", "py", "u0", "v0"};
-  if (distorted) {
-    needed.insert(needed.end(), {"kud", "kdu"});
-  }
-  for (const std::string &name : needed) {
-    if (!camera.contains(name)) {
+  const bool distorted = isDistorted(camera.value("model", std::string("perspectiveWithoutDistortion")));
+  for (const std::string name : {"px", "py", "u0", "v0", "kud", "kdu"}) {
+    const bool isDistortion = name[0] == 'k';
+    if (!camera.contains(name) && (distorted || !isDistortion)) {
       refuse("the camera has no '" + name + "'");
     }
-    result.known["camera"][name] = camera[name];
+    if (distorted || !isDistortion) {
+      carrier.take(place + '/' + name, "camera." + name);
+    }
   }
-  needed.insert(needed.end(), {"model", "kud", "kdu"}); // What a camera without distortion says of it is 0.
-  Carrier(result).carry(camera, place, {}, needed);
+  carrier.leave(place, "a camera without distortion has no such value");
+  carrier.note(place + "/model", "camera.px", "it says which of the values there are");
 }
 
-void takeEdges(const Json &edge, const std::string &place, VispJson &result)
+void takeThreshold(const std::string &place, const Json &edge, VispJsonCarrier &carrier)
 {
-  Carrier(result).carry(
-      edge, place, {{"maskSize", "edge", "maskSize"}, {"range", "edge", "range"}, {"sampleStep", "view", "sampleStep"}},
-      {"mu", "threshold", "thresholdType"});
+  const Json maskSize = edge.value("maskSize", Json(vpEdgeCueSettings().maskSize));
+  const Json &threshold = edge.at("threshold");
+  constexpr double largestMask = 100.; // Beyond any that there is; the number has to have room in an unsigned int.
+  if (!threshold.is_number() || !maskSize.is_number_unsigned() || maskSize.get<double>() > largestMask) {
+    refuse("'threshold' and 'maskSize' of the edges are to be numbers");
+  }
+  const bool inGrayLevels = edge.value("thresholdType", std::string("old")) == "normalized";
+  const double contrast = vpEdgeCueSettings::toContrast(
+      threshold.get<double>(), inGrayLevels ? vpEdgeCueSettings::CONTRAST : vpEdgeCueSettings::LIKELIHOOD,
+      maskSize.get<unsigned int>());
+  carrier.takeAs(place + "/threshold", "edge.contrast", contrast, "in gray levels");
+  carrier.note(place + "/thresholdType", "edge.contrast", "the scale of the threshold");
+}
+
+// vpMe.
+void takeEdges(const std::string &place, VispJsonCarrier &carrier)
+{
+  const Json &edge = carrier.objectAt(place);
+  carrier.take(place + "/maskSize", "edge.maskSize");
+  carrier.take(place + "/range", "edge.range");
+  carrier.take(place + "/sampleStep", "view.sampleStep");
   if (edge.contains("mu")) {
     const Json &mu = edge["mu"];
     if (!mu.is_array() || mu.size() != 2) {
       refuse("'mu' of the edges is to be a list of two numbers");
     }
-    result.known["edge"]["mu1"] = mu[0];
-    result.known["edge"]["mu2"] = mu[1];
+    carrier.set("edge.mu2", mu[1]);
+    carrier.takeAs(place + "/mu", "edge.mu1", mu[0], "and edge.mu2");
   }
-  if (!edge.contains("threshold")) {
-    return;
+  if (edge.contains("threshold")) {
+    takeThreshold(place, edge, carrier);
   }
-  const Json maskSize = edge.value("maskSize", Json(vpEdgeCueSettings().maskSize));
-  if (!edge["threshold"].is_number() || !maskSize.is_number_unsigned() || maskSize.get<double>() > 100.) {
-    refuse("'threshold' and 'maskSize' of the edges are to be numbers");
+  for (const char *name : {"/nMask", "/angleStep", "/maskSign", "/strip"}) {
+    carrier.leave(place + name, "masks are made for each edge's own direction");
   }
-  const bool inGrayLevels = edge.value("thresholdType", std::string("old")) == "normalized";
-  result.known["edge"]["contrast"] = vpEdgeCueSettings::toContrast(
-      edge["threshold"].get<double>(), inGrayLevels ? vpEdgeCueSettings::CONTRAST : vpEdgeCueSettings::LIKELIHOOD,
-      maskSize.get<unsigned int>());
+  for (const char *name : {"/thresholdMarginRatio", "/minThreshold"}) {
+    carrier.leave(place + name, "the threshold adapts itself to the light");
+  }
+  for (const char *name : {"/minSampleStep", "/ntotalSample", "/pointsToTrack"}) {
+    carrier.leave(place + name, "the step between control points tells how many there are");
+  }
+  carrier.leave(place + "/initRange", "a start looks as far as it has to");
 }
 
-void takePoints(const Json &klt, const std::string &place, const std::vector<std::string> &otherwise, VispJson &result)
+// vpKltOpencv.
+void takePoints(const std::string &place, VispJsonCarrier &carrier)
 {
-  std::vector<Carrier::Name> names;
-  for (const char *name :
+  carrier.objectAt(place);
+  for (const std::string name :
        {"maxFeatures", "windowSize", "quality", "minDistance", "harris", "blockSize", "pyramidLevels", "maskBorder"}) {
-    names.push_back({name, "klt", name});
+    carrier.take(place + '/' + name, "klt." + name);
   }
-  Carrier(result).carry(klt, place, names, otherwise);
+  const Json &useHarris = carrier.at(place + "/useHarris"); // ViSP writes a number.
+  carrier.takeAs(place + "/useHarris", "klt.useHarris",
+                 useHarris.is_number() ? Json(useHarris.get<double>() > 0.) : useHarris);
 }
 
-bool has(const Json &list, std::initializer_list<const char *> words)
+bool has(const Json &list, const std::vector<std::string> &words)
 {
   return list.is_array() && std::any_of(list.begin(), list.end(), [&](const Json &one) {
-           return std::any_of(words.begin(), words.end(), [&](const char *word) { return one == word; });
+           return std::any_of(words.begin(), words.end(), [&](const std::string &word) { return one == word; });
          });
 }
 
-void takeClipping(const Json &clipping, VispJson &result)
+void takeClipping(const std::string &place, VispJsonCarrier &carrier)
 {
-  const Json flags = clipping.value("flags", Json::array());
-  if (has(flags, {"near", "all"}) && clipping.contains("near")) {
-    result.known["view"]["nearDistance"] = clipping["near"];
+  carrier.objectAt(place);
+  const Json flags = carrier.at(place + "/flags");
+  carrier.leave(place, "'flags' do not ask for it");
+  if (has(flags, {"near", "all"})) {
+    carrier.take(place + "/near", "view.nearDistance");
   }
-  if (has(flags, {"far", "all"}) && clipping.contains("far")) {
-    result.known["view"]["farDistance"] = clipping["far"];
+  if (has(flags, {"far", "all"})) {
+    carrier.take(place + "/far", "view.farDistance");
   }
   if (has(flags, {"fov", "all"})) {
-    result.known["view"]["clipToImage"] = true;
+    carrier.set("view.clipToImage", true);
   }
+  carrier.note(place + "/flags", "view.clipToImage", "and which of near and far are taken");
 }
 
-void takeCue(const std::string &theirs, const std::string &place, VispJson &result)
+// \return The name of a cue here; empty where there is none.
+std::string cueOf(const std::string &theirs)
 {
-  const std::string ours = theirs == "edge" || theirs == "silhouetteMe" ? "edge"
-                           : theirs == "klt"                            ? "point"
-                           : theirs == "silhouetteColor"                ? "color"
-                                                                        : "";
-  if (ours.empty()) {
-    result.left.push_back(place + " '" + theirs + "'");
-  } else if (!has(result.known.value("cues", Json::array()), {ours.c_str()})) {
-    result.known["cues"].push_back(ours);
+  if (theirs == "edge" || theirs == "silhouetteMe") {
+    return "edge";
   }
+  return theirs == "klt" ? "point" : theirs == "silhouetteColor" ? "color" : "";
 }
 
-void takeGeneric(const Json &json, VispJson &result)
+class Cues
 {
-  const Json &trackers = object(json, "trackers");
+public:
+  // \param place Of the word. \param theirs What is to be tracked.
+  void add(const std::string &place, const std::string &theirs, VispJsonCarrier &carrier)
+  {
+    const std::string ours = cueOf(theirs);
+    if (ours.empty()) {
+      carrier.leave(place, theirs.compare(0, 5, "depth") == 0 ? needsDepth : "there is no such cue here");
+      return;
+    }
+    if (!has(m_names, {ours})) {
+      m_names.push_back(ours);
+    }
+    carrier.set("cues", m_names);
+    carrier.note(place, "cues");
+  }
+
+private:
+  Json m_names = Json::array();
+};
+
+VispJson readGeneric(const Json &json)
+{
+  VispJsonCarrier carrier(json);
+  const Json &trackers = carrier.objectAt("/trackers");
   const std::string name = json.value("referenceCameraName", std::string());
   const std::string chosen = trackers.contains(name) || trackers.empty() ? name : trackers.begin().key();
-  const Json &tracker = object(trackers, chosen);
-  if (tracker.empty()) {
+  const std::string place = "/trackers/" + VispJsonCarrier::escaped(chosen);
+  if (!trackers.contains(chosen) || carrier.objectAt(place).empty()) {
     refuse("it has no tracker '" + chosen + "' in 'trackers'");
   }
   for (const auto &other : trackers.items()) {
     if (other.key() != chosen) {
-      result.left.push_back("camera '" + other.key() + "'");
+      carrier.leave("/trackers/" + VispJsonCarrier::escaped(other.key()), "one camera is tracked with");
     }
   }
-  if (!object(tracker, "camera").empty()) {
-    takeCamera(object(tracker, "camera"), "camera", result);
+  takeCamera(place + "/camera", carrier);
+  takeEdges(place + "/edge", carrier);
+  takePoints(place + "/klt", carrier);
+  takeClipping(place + "/clipping", carrier);
+  const Json types = carrier.has(place + "/type") ? carrier.at(place + "/type") : Json::array();
+  if (!types.is_array()) {
+    refuse("'type' is to be a list of names");
   }
-  takeEdges(object(tracker, "edge"), "edge", result);
-  takePoints(object(tracker, "klt"), "klt", {}, result);
-  takeClipping(object(tracker, "clipping"), result);
-  for (const Json &type : tracker.value("type", Json::array())) {
-    takeCue(type.is_string() ? type.get<std::string>() : type.dump(), "type", result);
+  Cues cues;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    cues.add(place + "/type/" + std::to_string(i), types[i].is_string() ? types[i].get<std::string>() : types[i].dump(),
+             carrier);
   }
-  Carrier(result).carry(tracker, "",
-                        {{"angleAppear", "view", "appearAngle"}, {"angleDisappear", "view", "disappearAngle"}},
-                        {"camera", "edge", "klt", "clipping", "type", "camTref"});
-  Carrier(result).carry(object(json, "lod"), "lod",
-                        {{"useLod", "lod", "use"},
-                         {"minLineLengthThresholdGeneral", "lod", "minLineLength"},
-                         {"minPolygonAreaThresholdGeneral", "lod", "minPolygonArea"}},
-                        {});
-  Carrier(result).carry(json, "", {}, {"referenceCameraName", "trackers", "version", "lod"});
+  carrier.take(place + "/angleAppear", "view.appearAngle");
+  carrier.take(place + "/angleDisappear", "view.disappearAngle");
+  carrier.take(place + "/display/features", "display.features");
+  for (const std::string &lod : {std::string("/lod"), place + "/lod"}) {
+    carrier.take(lod + "/useLod", "lod.enabled");
+    carrier.take(lod + "/minLineLengthThresholdGeneral", "lod.minLineLength");
+    carrier.take(lod + "/minPolygonAreaThresholdGeneral", "lod.minPolygonArea");
+  }
+  carrier.leave(place + "/normals", needsDepth);
+  carrier.leave(place + "/dense", needsDepth);
+  carrier.leave(place + "/visibilityTest", "hidden edges are always removed");
+  carrier.leave(place + "/camTref", "one camera is its own reference");
+  carrier.leave("/referenceCameraName", "it says which tracker is taken");
+  carrier.leave("/version", "it is that of the file's layout");
+  return carrier.result(Format::GENERIC_JSON);
 }
 
-void takeRenderBased(const Json &json, VispJson &result)
+void takeFeature(const std::string &place, Cues &cues, VispJsonCarrier &carrier)
 {
-  const Json &camera = object(json, "camera");
-  if (!object(camera, "intrinsics").empty()) {
-    takeCamera(object(camera, "intrinsics"), "camera.intrinsics", result);
+  const Json &feature = carrier.at(place);
+  const std::string type = feature.is_object() ? feature.value("type", std::string()) : feature.dump();
+  cues.add(place + "/type", type, carrier);
+  if (type == "silhouetteMe") {
+    takeEdges(place + "/movingEdge", carrier);
+    carrier.take(place + "/numCandidates", "edge.candidates");
+  } else if (type == "klt") {
+    takePoints(place, carrier);
+    carrier.leave(place + "/newPointsMinPixelDistance", "klt.minDistance holds for new points too");
+    carrier.leave(place + "/minimumNumPoints", "points are added in each frame");
+    carrier.leave(place + "/maxReprojectionErrorPixels", "the robust estimation tells");
+  } else if (type == "silhouetteColor") {
+    carrier.take(place + "/ccd/h", "color.length");
+    carrier.take(place + "/maxNumPoints", "color.lines");
+    carrier.leave(place + "/ccd", "the statistics adapt themselves to the contour's uncertainty");
+    carrier.leave(place + "/temporalSmoothing", "color.alpha is the share of the current frame");
+    carrier.leave(place + "/displayType", "features are drawn in one way");
   }
-  for (const Json &feature : json.value("features", Json::array())) {
-    const std::string type = feature.is_object() ? feature.value("type", std::string()) : feature.dump();
-    takeCue(type, "feature", result);
-    if (type == "silhouetteMe") {
-      takeEdges(object(feature, "movingEdge"), "movingEdge", result);
-      Carrier(result).carry(feature, type, {{"numCandidates", "edge", "candidates"}}, {"type", "movingEdge"});
-    } else if (type == "klt") {
-      takePoints(feature, type, {"type"}, result);
-    }
+  if (cueOf(type).empty() && feature.is_object()) {
+    carrier.leave(place, type.compare(0, 5, "depth") == 0 ? needsDepth : "there is no such cue here");
   }
-  Carrier(result).carry(json, "", {}, {"camera", "features"});
+  carrier.leave(place + "/weight", ownWeights);
+  for (const char *name : {"/convergencePixelThreshold", "/convergenceRatio", "/convergenceThreshold"}) {
+    carrier.leave(place + name, ownSteps);
+  }
+  carrier.leave(place + "/useMask", needsMask);
+  carrier.leave(place + "/minMaskConfidence", needsMask);
+}
+
+VispJson readRenderBased(const Json &json)
+{
+  VispJsonCarrier carrier(json);
+  carrier.objectAt("/camera");
+  takeCamera("/camera/intrinsics", carrier);
+  carrier.take("/model", "model.file",
+               "ViSP's renderer turns .obj files by a quarter about x, so that their poses differ by that turn");
+  carrier.take("/vvs/gain", "estimation.gain");
+  carrier.take("/vvs/maxIterations", "estimation.maxIterations");
+  const Json features = carrier.has("/features") ? carrier.at("/features") : Json::array();
+  Cues cues;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    takeFeature("/features/" + std::to_string(i), cues, carrier);
+  }
+  carrier.leave("/camera/width", "the images tell their size");
+  carrier.leave("/camera/height", "the images tell their size");
+  carrier.leave("/vvs", "damping is that of 'estimation', Gauss and Newton's method without any by default");
+  carrier.leave("/silhouetteExtractionSettings", "contours are found on the mesh, and not in a rendered depth image");
+  carrier.leave("/mask", needsMask);
+  carrier.leave("/drift", "state and score are always judged");
+  carrier.leave("/odometry", "the motion is predicted by 'prediction'");
+  carrier.leave("/verbose", "loadConfigFile() has an argument for it");
+  carrier.leave("/displaySilhouette", "display() always draws the model");
+  VispJson result = carrier.result(Format::RENDER_BASED_JSON);
+  const auto size = [&](const char *name) {
+    const Json &number = carrier.at(std::string("/camera/") + name);
+    return number.is_number_unsigned() ? number.get<unsigned int>() : 0U;
+  };
+  result.report.imageWidth = size("width");
+  result.report.imageHeight = size("height");
+  return result;
 }
 } // namespace
 
 VispJson readVispJson(const Json &json)
 {
-  VispJson result;
-  result.known = Json::object();
+  const bool isGeneric = json.contains("trackers") || json.contains("referenceCameraName");
+  const bool isRenderBased =
+      json.contains("features") || json.contains("vvs") ||
+      (json.contains("camera") && json["camera"].is_object() && json["camera"].contains("intrinsics"));
+  if (!isGeneric && !isRenderBased) {
+    return VispJson();
+  }
   try {
-    if (json.contains("trackers") || json.contains("referenceCameraName")) {
-      result.tracker = "vpMbGenericTracker";
-      takeGeneric(json, result);
-    } else if (json.contains("features") || json.contains("vvs") ||
-               (json.contains("camera") && json["camera"].is_object() && json["camera"].contains("intrinsics"))) {
-      result.tracker = "vpRBTracker";
-      takeRenderBased(json, result);
-    }
+    return isGeneric ? readGeneric(json) : readRenderBased(json);
   } catch (const std::exception &e) {
     const auto *error = dynamic_cast<const vpException *>(&e);
-    refuse("this is a configuration of " + result.tracker +
+    refuse(std::string("this is a configuration of ") + (isGeneric ? "vpMbGenericTracker" : "vpRBTracker") +
            ", and it is broken: " + (error != nullptr ? error->getMessage() : e.what()) +
            "; mend it, or write the settings in the JSON of vpMbMultiCueTracker or the XML of vpMbGenericTracker");
   }
-  return result;
 }
 } // namespace vpSettingsDetail
 END_VISP_NAMESPACE

@@ -2,21 +2,17 @@
 #ifndef settingsVispJson_h
 #define settingsVispJson_h
 
-#include <visp3/se3/vpCompatibility.h>
+#include <visp3/multicue/vpConfigReport.h>
 
 #include <nlohmann/json.hpp>
-
-#include <string>
-#include <vector>
 
 BEGIN_VISP_NAMESPACE
 namespace vpSettingsDetail {
 //! A configuration of another tracker of ViSP in the words of this one.
 struct VispJson
 {
-  std::string tracker;           //!< Its class; empty where the file is none of ViSP's.
-  nlohmann::ordered_json known;  //!< What there is here too.
-  std::vector<std::string> left; //!< Names of what there is nothing like.
+  nlohmann::ordered_json known; //!< What there is here too.
+  vpConfigReport report;        //!< Its format is NONE where the file is none of ViSP's.
 };
 
 //! Reads the JSON files of vpMbGenericTracker (ViSP 3.6) and vpRBTracker (3.7). \throw vpException without the file's

@@ -26,10 +26,35 @@ void takeParsed(const XmlDocument &document, Draft &draft)
     if (node.take && document.find(node.path)) {
       node.take(values, draft);
     }
-    if (node.isLeft && document.find(node.path)) {
-      draft.left.push_back(std::string("<") + node.path + ">");
+  }
+}
+
+// Every node with a value. \param model That was taken, of the file of a camera; null in others.
+void reportNodes(const pugi::xml_node &parent, const std::string &parentPath, const pugi::xml_node &model,
+                 vpConfigReport &report)
+{
+  for (const pugi::xml_node &node : parent.children()) {
+    const std::string path = parentPath.empty() ? node.name() : parentPath + '/' + node.name();
+    const XmlNode *known = findXmlNode(path);
+    if (known == nullptr) {
+      continue; // Below a node that is not looked at.
+    }
+    if (path == "camera/model" && node != model) {
+      report.left.push_back({path + ' ' + node.child_value("type"), "", "another model of this camera was taken"});
+    } else if (known->kind == XmlNode::GROUP) {
+      reportNodes(node, path, model, report);
+    } else {
+      (*known->setting == '\0' ? report.left : report.taken).push_back({path, known->setting, known->reason});
     }
   }
+}
+
+void reportDocument(const XmlDocument &document, const pugi::xml_node &model, vpConfigReport &report)
+{
+  report.format = model ? vpConfigReport::Format::CALIBRATION_XML : vpConfigReport::Format::GENERIC_XML;
+  reportNodes(document.root(), "", model, report);
+  report.imageWidth = document.find(model ? "camera/image_width" : "camera/width").text().as_uint();
+  report.imageHeight = document.find(model ? "camera/image_height" : "camera/height").text().as_uint();
 }
 
 // Not from ViSP's parser: 3.5 does not know the scale, and later ones cut off the threshold's decimals.
@@ -71,23 +96,28 @@ void requireOneCamera(const XmlDocument &document, const pugi::xml_node &camera)
 }
 
 // Of what a calibration writes, the camera with distortion: the tracker takes it out.
-pugi::xml_node chooseModel(const XmlDocument &document, const pugi::xml_node &camera, Draft &draft)
+pugi::xml_node chooseModel(const XmlDocument &document, const pugi::xml_node &camera)
 {
+  const std::string without = "perspectiveProjWithoutDistortion";
+  const std::string with = "perspectiveProjWithDistortion";
   pugi::xml_node chosen;
+  std::string kannalaBrandt;
   for (const pugi::xml_node &model : camera.children("model")) {
     const std::string type = model.child_value("type");
-    const bool distorted = type == "perspectiveProjWithDistortion";
-    if (!distorted && type != "perspectiveProjWithoutDistortion") {
-      document.refuse(model, "<type> in <model> is '" + type +
-                                 "', it must be perspectiveProjWithoutDistortion or perspectiveProjWithDistortion");
+    if (type == "ProjWithKannalaBrandtDistortion") {
+      kannalaBrandt = "; images of a camera with " + type + " have to be undistorted first";
+      continue;
+    }
+    if (type != with && type != without) {
+      document.refuse(model, "<type> in <model> is '" + type + "', it must be " + without + " or " + with);
     }
     if (chosen && chosen.child_value("type") == type) {
       document.refuse(model, "there are two <model> of type " + type + " in the <camera>: delete one of them");
     }
-    if (chosen) {
-      draft.left.emplace_back("the camera's model perspectiveProjWithoutDistortion");
-    }
-    chosen = !chosen || distorted ? model : chosen;
+    chosen = !chosen || type == with ? model : chosen;
+  }
+  if (!chosen) {
+    document.refuse(camera, "the <camera> has no <model> of type " + without + " or " + with + kannalaBrandt);
   }
   return chosen;
 }
@@ -97,7 +127,7 @@ void takeCameraModel(const XmlDocument &document, Draft &draft)
 {
   const pugi::xml_node camera = document.find("camera/model").parent();
   requireOneCamera(document, camera);
-  const pugi::xml_node model = chooseModel(document, camera, draft);
+  const pugi::xml_node model = chooseModel(document, camera);
   const std::string type = model.child_value("type");
   const bool distorted = type == "perspectiveProjWithDistortion";
   const auto value = [&](const char *name) {
@@ -111,6 +141,7 @@ void takeCameraModel(const XmlDocument &document, Draft &draft)
     draft.camera.kud = value("kud");
     draft.camera.kdu = value("kdu");
   }
+  reportDocument(document, model, draft.report);
 }
 } // namespace
 
@@ -128,6 +159,7 @@ void readXml(const std::string &file, Draft &draft)
   }
   takeParsed(document, draft);
   takeThreshold(document, draft);
+  reportDocument(document, {}, draft.report);
 }
 } // namespace vpSettingsDetail
 END_VISP_NAMESPACE

@@ -118,6 +118,7 @@ void vpMultiCueSettings::setPreset(vpMultiCuePreset preset)
   color = defaults.color;
   predicts = false;
   prediction = defaults.prediction;
+  predictsRange = false;
   searches = false;
   searchBudget = 0.;
   switch (preset) {

@@ -31,6 +31,17 @@ void vpMultiCueSettings::check() const
                       "vpMultiCueSettings::cues is %d, it must be a sum of vpMbMultiCueTracker's %s", cues,
                       vpCueKinds::listText().c_str());
   }
+  for (const auto &[type, factor] : factors) {
+    if (vpCueKinds::find(type) == nullptr) {
+      throw vpException(vpException::badValue, "vpMultiCueSettings::factors has one of cue %d, there are %s", type,
+                        vpCueKinds::listText().c_str());
+    }
+  }
+  constexpr std::size_t sixMotions = 6;
+  if (estimation.motions.size() != sixMotions) {
+    throw vpException(vpException::badValue, "vpMultiCueSettings: estimation.motions has %d values, it must have six",
+                      static_cast<int>(estimation.motions.size()));
+  }
   // What members have to do with each other.
   edge.check();
   hypotheses.check();
@@ -38,6 +49,8 @@ void vpMultiCueSettings::check() const
   color.check();
   prediction.check();
   view.check();
+  klt.check();
+  model.check();
 }
 
 END_VISP_NAMESPACE

@@ -27,13 +27,27 @@ bool isJson(const std::string &file)
   return extension == ".json";
 }
 
-// A path in a file is meant from where the file is, and stays right wherever it is written to.
-void resolveSymmetries(const std::string &file, const vpMultiCueSettings &defaults, vpMultiCueSettings &settings)
+std::string besideFile(const std::string &file, const std::string &path)
 {
-  std::string &from = settings.symmetries;
+  return std::filesystem::absolute(std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+}
+
+// A path in a file is meant from where the file is, and stays right wherever it is written to.
+void resolvePaths(const std::string &file, const vpMultiCueSettings &defaults, Draft &draft)
+{
+  std::string &from = draft.members.symmetries;
   if (!from.empty() && from != defaults.symmetries && from != "none" && from != "find") {
-    from = std::filesystem::absolute(std::filesystem::path(file).parent_path() / from).lexically_normal().string();
+    from = besideFile(file, from);
   }
+  std::string &model = draft.members.modelFile;
+  if (model.empty() || model == defaults.modelFile) {
+    return;
+  }
+  // vpRBTracker looks from where the program runs.
+  std::error_code error;
+  const bool isFromProgram =
+      draft.report.format == vpConfigReport::Format::RENDER_BASED_JSON && std::filesystem::exists(model, error);
+  model = isFromProgram ? std::filesystem::absolute(model).lexically_normal().string() : besideFile(file, model);
 }
 
 vpMultiCueSettings checkedSettings(const std::string &file, const Draft &draft)
@@ -56,34 +70,22 @@ FileSettings vpSettingsDetail::readSettings(const std::string &file, const vpMul
   } else {
     readXml(file, draft);
   }
-  resolveSymmetries(file, defaults, draft.members);
-  return {checkedSettings(file, draft), draft.preset, draft.said, draft.tracker, draft.left};
+  resolvePaths(file, defaults, draft);
+  draft.report.file = file;
+  return {checkedSettings(file, draft), draft.preset, draft.said, draft.report};
 }
 
-void vpSettingsDetail::printSettings(const std::string &file, const FileSettings &settings)
+void vpSettingsDetail::printSettings(const FileSettings &settings)
 {
-  std::cout << "Settings with '" << file << "': " << jsonText(settings.settings);
-  if (!settings.tracker.empty()) {
-    std::cout << "'" << file << "' is a configuration of " << settings.tracker
-              << ", the above is what it has in common\n";
-  }
-  if (!settings.left.empty()) {
-    std::cout << "Left out of '" << file << "', as there is nothing like it here: " << listText(settings.left) << "\n";
+  std::cout << "Settings with '" << settings.report.file << "': " << jsonText(settings.settings);
+  if (settings.report.format != vpConfigReport::Format::MULTI_CUE_JSON) {
+    std::cout << settings.report;
   }
   std::cout << std::flush;
 }
 
-vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
-                                                  bool verbose)
-{
-  const FileSettings settings = readSettings(file, defaults);
-  if (verbose) {
-    printSettings(file, settings);
-  }
-  return settings.settings;
-}
-
-void vpMultiCueSettingsReader::write(const std::string &file, const vpMultiCueSettings &settings)
+void vpSettingsDetail::writeSettings(const std::string &file, const vpMultiCueSettings &settings,
+                                     std::optional<vpMultiCuePreset> preset)
 {
   if (!isJson(file)) {
     throw vpException(vpException::badValue,
@@ -91,11 +93,39 @@ void vpMultiCueSettingsReader::write(const std::string &file, const vpMultiCueSe
   }
   settings.check();
   std::ofstream stream(file, std::ios::binary);
-  stream << jsonText(settings);
+  stream << jsonText(settings, preset);
   stream.close();
   if (!stream) {
     throw vpException(vpException::ioError, "Configuration file '" + file + "' cannot be written");
   }
+}
+
+vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
+                                                  bool verbose)
+{
+  const FileSettings settings = readSettings(file, defaults);
+  if (verbose) {
+    printSettings(settings);
+  }
+  return settings.settings;
+}
+
+vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,
+                                                  vpConfigReport &report)
+{
+  const FileSettings settings = readSettings(file, defaults);
+  report = settings.report;
+  return settings.settings;
+}
+
+void vpMultiCueSettingsReader::write(const std::string &file, const vpMultiCueSettings &settings)
+{
+  writeSettings(file, settings);
+}
+
+std::string vpMultiCueSettingsReader::jsonSchema()
+{
+  return jsonSchemaText();
 }
 
 END_VISP_NAMESPACE

@@ -16,10 +16,15 @@ std::string quoted(const pugi::xml_node &node)
   return std::string("<") + node.name() + '>';
 }
 
-std::string knownBelow(const std::string &path)
+// \param name A node that was found there; empty for a text.
+std::string knownBelow(const std::string &path, const std::string &name = "")
 {
   const std::vector<std::string> known = xmlNodesBelow(path);
-  return known.empty() ? "it holds a value and no nodes" : "known there are " + listText(known);
+  if (known.empty()) {
+    return "it holds a value and no nodes";
+  }
+  const std::string nearest = name.empty() ? "" : "the nearest is <" + nearestName(name, known) + ">, ";
+  return nearest + "known there are " + listText(known);
 }
 } // namespace
 
@@ -64,7 +69,7 @@ void XmlDocument::checkChildren(const pugi::xml_node &parent, const std::string 
     const std::string path = parentPath.empty() ? node.name() : parentPath + '/' + node.name();
     const XmlNode *known = findXmlNode(path);
     if (!known) {
-      refuse(node, quoted(node) + " is not known in " + quoted(parent) + "; " + knownBelow(parentPath));
+      refuse(node, quoted(node) + " is not known in " + quoted(parent) + "; " + knownBelow(parentPath, node.name()));
     }
     if (known->kind == XmlNode::GROUP) {
       checkChildren(node, path);

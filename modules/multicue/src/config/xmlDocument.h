@@ -21,6 +21,7 @@ public:
   explicit XmlDocument(const std::string &file);
 
   const std::string &file() const { return m_file; }
+  pugi::xml_node root() const { return m_document.document_element(); }
   //! \return The first node with this path below the root, a null one where there is none.
   pugi::xml_node find(const char *path) const;
   //! \throw vpException naming file and line of the node.

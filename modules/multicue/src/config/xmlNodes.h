@@ -31,13 +31,14 @@ struct XmlNode
     WHOLE,   //!< ViSP would cut off decimals.
     ANYTHING //!< Text or nodes, not looked at here.
   };
+  using Take = void (*)(const XmlValues &, Draft &draft);
 
   const char *path; //!< From below the root, for instance "ecm/mask/size".
   Kind kind;
-  Range range; //!< Of a number.
-  //! Carries over what the parser read; null: nothing to be carried over.
-  void (*take)(const XmlValues &, Draft &draft);
-  bool isLeft = false; //!< There is nothing like it here, which users are told.
+  Range range = {};         //!< Of a number.
+  const char *setting = ""; //!< What it is here, for instance "edge.maskSize"; empty where there is nothing like it.
+  const char *reason = "";  //!< Why it is left, or what differs.
+  Take take = nullptr;      //!< Carries over what the parser read; null where other functions do.
 };
 
 //! The nodes that the parsers of ViSP 3.5 to 3.7 know, and deprecated ones that files still have.

@@ -44,6 +44,7 @@ void vpMbMultiCueTracker::Impl::replaceModel(const vpImage<Pixel> &I, const std:
   source.frame(I, m_tracker.m_cam, m_tracker.m_mask);
   m_tracker.forgetPrimitives();
   hasMesh = false;
+  this->modelFile.clear();
   m_engine.symmetries.forget();
   untracked = Untracked();
   takeModel(std::move(added), std::move(loaded), modelFile, verbose, odTo);
@@ -152,6 +153,7 @@ void vpMbMultiCueTracker::resetTracker()
   vpMultiCueSettings settings = m_impl->settings();
   settings.symmetries.clear(); // They are the model's.
   settings.symmetricObject = vpMultiCueSettings().symmetricObject;
+  settings.modelFile.clear();
   std::unique_ptr<Impl> before = std::move(m_impl);
   m_impl = std::make_unique<Impl>(*this);
   forgetPrimitives();

@@ -27,7 +27,7 @@ void vpMbMultiCueTracker::setPreset(Preset preset)
   setTrackerType(settings.cues);
   setColorSettings(settings.color);
   setPrediction(settings.predicts, settings.prediction);
-  setPredictedRange(false);
+  setPredictedRange(settings.predictsRange);
   setSearch(settings.searches);
   setSearchBudget(settings.searchBudget);
   m_impl->choice = vpPresetChoice();
@@ -39,13 +39,13 @@ std::optional<vpMbMultiCueTracker::Preset> vpMbMultiCueTracker::getPreset() cons
   return m_impl->choice.preset;
 }
 
-void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool verbose)
+namespace {
+vpPresetChoice choiceWith(vpSettingsDetail::FileSettings &file, const vpPresetChoice &before)
 {
-  vpSettingsDetail::FileSettings file = vpSettingsDetail::readSettings(configFile, m_impl->settings());
-  vpPresetChoice choice = m_impl->choice;
+  vpPresetChoice choice = before;
   choice.keepsPrediction = choice.keepsPrediction || file.says("prediction.enabled");
-  choice.keepsSearch = choice.keepsSearch || file.says("search");
-  choice.keepsBudget = choice.keepsBudget || file.says("searchBudget");
+  choice.keepsSearch = choice.keepsSearch || file.says("search.enabled");
+  choice.keepsBudget = choice.keepsBudget || file.says("search.budget");
   if (file.preset) {
     choice = vpPresetChoice();
     choice.preset = file.preset;
@@ -53,14 +53,50 @@ void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool ver
   if (file.says("cues")) {
     choice.takeCues(file.settings.predicts, file.settings.searches, file.settings.searchBudget);
   }
+  return choice;
+}
+} // namespace
+
+void vpMbMultiCueTracker::Impl::load(const std::string &configFile, bool verbose)
+{
+  const vpMultiCueSettings before = settings();
+  vpSettingsDetail::FileSettings file = vpSettingsDetail::readSettings(configFile, before);
+  const vpPresetChoice choiceBefore = choice;
+  const vpPresetChoice choiceAfter = choiceWith(file, choice);
+  const bool saysModel = !file.settings.modelFile.empty() && file.settings.modelFile != before.modelFile;
+  apply(file.settings);
+  choice = choiceAfter;
+  if (saysModel && !parts) {
+    try {
+      m_tracker.loadModel(file.settings.modelFile, verbose);
+      modelFile = file.settings.modelFile;
+    } catch (...) {
+      apply(before);
+      choice = choiceBefore;
+      throw;
+    }
+  } else if (saysModel) {
+    file.report.leave("model.file", "a model was loaded before");
+  }
   if (verbose) {
-    vpSettingsDetail::printSettings(configFile, file);
+    vpSettingsDetail::printSettings(file);
   }
-  m_impl->apply(file.settings);
-  if (file.preset) {
-    setPredictedRange(false);
-  }
-  m_impl->choice = choice;
+  report = file.report;
+}
+
+void vpMbMultiCueTracker::loadConfigFile(const std::string &configFile, bool verbose)
+{
+  m_impl->load(configFile, verbose);
+}
+
+const vpConfigReport &vpMbMultiCueTracker::getConfigReport() const
+{
+  return m_impl->report;
+}
+
+void vpMbMultiCueTracker::saveConfigFile(const std::string &filename) const
+{
+  vpSettingsDetail::writeSettings(filename, m_impl->settings(), m_impl->choice.preset);
 }
 
 END_VISP_NAMESPACE

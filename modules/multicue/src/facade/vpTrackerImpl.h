@@ -29,6 +29,8 @@ public:
   void updateMe();
   vpMultiCueSettings settings();
   void apply(const vpMultiCueSettings &settings);
+  //! Loads a file, and the model that it says where there is none; all stays as it was where that throws.
+  void load(const std::string &configFile, bool verbose);
   //! Takes over the settings that vpMultiCueSettings has not.
   void take(const Impl &before);
   //! The default constructor's preset, which nobody asked for.
@@ -99,6 +101,8 @@ public:
   vpPresetChoice choice;
   vpMe me; // As the user gave it, for getMovingEdge().
   vpModelOptions modelOptions;
+  std::string modelFile; // Of the model that a configuration file said.
+  vpConfigReport report; // Of the last configuration file.
   bool throwOnLoss = false;
   bool displayHypotheses = false;
   //! Names of the model's faces that take no part.
@@ -142,6 +146,9 @@ private:
     vpMbMultiCueTracker &m_tracker;
   };
 
+  void takeFromVisp(vpMultiCueSettings &settings) const;
+  //! \param settings Checked ones.
+  void giveToVisp(const vpMultiCueSettings &settings);
   //! Runs what estimates poses. The tracker's pose is scratch memory meanwhile; where something throws, it is the one
   //! before again, else the one that was found.
   template <typename Function> void estimate(const Function &function);

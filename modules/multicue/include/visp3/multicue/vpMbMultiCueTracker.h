@@ -226,8 +226,23 @@ public:
 
   /** @name Settings */
   //@{
-  //! Reads an XML file of vpMbGenericTracker, which says nothing of cues, or a JSON file, see vpMultiCueSettingsReader.
+  /*!
+    Reads an XML file of vpMbGenericTracker, which says nothing of cues, or a JSON file, see vpMultiCueSettingsReader.
+    Where the file says a model and none was loaded, it is loaded.
+    \param configFile Path. \param verbose Print all settings that result, and getConfigReport().
+    \throw vpException as vpMultiCueSettingsReader::read() and loadModel(); all settings then stay as they were.
+  */
   void loadConfigFile(const std::string &configFile, bool verbose = true) override;
+  //! What the last loadConfigFile() that did not throw took of its file, and what it left.
+  const vpConfigReport &getConfigReport() const;
+  /*!
+    Writes all settings that are in force as JSON, from which loadConfigFile() makes a tracker with the same settings:
+    the preset, and of the cues only what differs from its own; of the others all. A model is written where a
+    configuration file said it. Not written is what belongs to a model or to a program: pose, faces that are left out or
+    have a level of detail of their own, symmetries given by setSymmetries(), mask, detector, names of cameras.
+    \param filename Path, ends in .json. \throw vpException naming the file where it cannot be written.
+  */
+  void saveConfigFile(const std::string &filename) const;
   /*!
     Chooses cues, pose hypotheses, particles, prediction, search and what belongs to them by purpose, see
     \ref multicue_presets; default Preset::ROBUST. May be called between frames. Camera, model, clipping, moving edges
