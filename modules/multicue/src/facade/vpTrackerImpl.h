@@ -3,6 +3,7 @@
 #define vpTrackerImpl_h
 
 #include "engine/vpMultiCueEngine.h"
+#include "facade/vpAnyPoseScore.h"
 #include "facade/vpMbTrackerNames.h"
 #include "facade/vpPresetChoice.h"
 
@@ -70,6 +71,7 @@ public:
 
   /** @name Results */
   //@{
+  template <typename Pixel> double scoreOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cMo);
   //! Number of the rows that entered the pose.
   unsigned int nbFeatures(int type) const;
   //! \param cue Type of a cue.
@@ -157,6 +159,8 @@ private:
   Servoing m_servoing;
   vpMultiCueEngine m_engine;
   bool m_filtersPoints = false; // By untracked faces.
+  vpAnyPoseScore m_anyScore;
+  vpFrameSource m_scoredImage;
 };
 
 template <typename Function> void vpMbMultiCueTracker::Impl::estimate(const Function &function)

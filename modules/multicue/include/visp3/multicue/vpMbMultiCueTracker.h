@@ -206,6 +206,23 @@ public:
   void track(const vpImage<vpRGBa> &I_color) override;
   //! All that is known of the last frame in one copy: pose, state, how far to believe it and why.
   vpMbTrackingResult getTrackingResult() const;
+  /*!
+    Scores any pose in any image, of any size, without tracking: the tracker stays as it is. For what vpRBTracker's
+    score(cMo, I, ...) is used for: poses of a detector, of another tracker, or of a file.
+
+    The score is the probability that the pose is right, if right poses (about a pixel off) and wrong ones (8 pixels off
+    and more) were equally likely before the image was looked at. It is that of the edges' evidence
+    (\ref cues_edge_evidence), whatever the tracker's cues are, and of the colours' where COLOR_TRACKER is chosen and
+    colours were learnt from images of this kind, gray or in colour. It is fitted to rendered images of whole objects:
+    of 2676 poses, 99.7 % of the right ones had more than 0.5, and 99.1 % of the wrong ones less. Poses at which the
+    object looks nearly the same, as half a turn of a box, score high too; getTrackingResult() knows more, as it has
+    seen more than one image. \param I Image, as track() gets it: with the lens distortion of the tracker's camera;
+    setMask() holds for it. \param cMo Pose, object to camera, metres. \return [0, 1]; 0 where the camera cannot see the
+    object at the pose, or sees too little of it. \throw vpException where there is no model, the image is empty, or the
+    pose is not finite or not rigid.
+  */
+  double score(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo) const;
+  double score(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo) const;
   //! How the last frame went; UNCERTAIN before the first one.
   vpTrackingState getTrackingState() const;
   //! Share of the features that the robust estimation kept in the last frame, [0, 1]. The state is judged by it and by

@@ -82,6 +82,20 @@ struct vpMbTrackingResult
   std::vector<UnobservedMotion> unobserved;
   std::vector<vpPoseHypothesis> hypotheses; //!< vpMbMultiCueTracker::getPoseHypotheses().
   vpTrackingTimings timings;                //!< vpMbMultiCueTracker::getTimings(), milliseconds.
+
+  /** @name Saving
+    As JSON: an object with the members' names, matrices as lists of rows, states and reasons as their names, null for
+    what is not a number. What is written is read again to the last digit. */
+  //@{
+  //! \param indent Blanks that each level is set in by; none: all in one line, for a file with a line for each frame.
+  VISP_EXPORT std::string toJson(int indent = -1) const;
+  //! \throw vpException naming the member that is missing or wrong.
+  VISP_EXPORT static vpMbTrackingResult fromJson(const std::string &text);
+  //! \throw vpException naming the file where it cannot be written.
+  VISP_EXPORT void saveToFile(const std::string &filename) const;
+  //! \throw vpException naming the file where it cannot be read, and the member that is missing or wrong.
+  VISP_EXPORT static vpMbTrackingResult readFromJsonFile(const std::string &filename);
+  //@}
 };
 
 //! \ingroup group_multicue \return The reason's name, "WELL_EXPLAINED" for instance.
