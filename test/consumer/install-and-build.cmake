@@ -18,3 +18,10 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}/build -G ${generato
   -D VISP_DIR=${visp} -D modules=${modules})
 run(${CMAKE_COMMAND} --build ${work}/build --config ${build_type})
 run(${work}/build/consumer)
+# What is installed beside the libraries.
+if(modules MATCHES "visp_multicue")
+  file(GLOB_RECURSE schema ${work}/prefix/*/visp-multicue/multicue-settings.schema.json)
+  if(NOT schema)
+    message(FATAL_ERROR "multicue-settings.schema.json is not installed")
+  endif()
+endif()

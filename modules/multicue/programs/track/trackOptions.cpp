@@ -2,29 +2,18 @@
 #include "track/trackOptions.h"
 
 #include "program/commandLine.h"
+#include "program/lengthUnit.h"
 #include "track/trackKeys.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/multicue/vpCueKind.h>
 #include <visp3/multicue/vpMultiCuePreset.h>
 
-#include <map>
-
 namespace programs {
 namespace {
 [[noreturn]] void fail(const std::string &text)
 {
   throw vpException(vpException::badValue, text + " (see --help)");
-}
-
-double toMetres(const std::string &unit)
-{
-  const std::map<std::string, double> metres = {{"m", 1.}, {"cm", 0.01}, {"mm", 0.001}, {"inch", 0.0254}};
-  const auto found = metres.find(unit);
-  if (found == metres.end()) {
-    fail("--unit knows m, cm, mm and inch, but got \"" + unit + "\"");
-  }
-  return found->second;
 }
 
 std::string joined(const std::vector<std::string> &names)
@@ -77,7 +66,7 @@ bool TrackOptions::read(int argc, const char *const argv[])
   addSource(line, source);
   line.add("--model", "model: .cao .wrl .obj .ply .stl .dae .gltf .glb", model);
   line.addSetter("--unit", "unit of a mesh file: m (default), cm, mm or inch",
-                 [this](const std::string &value) { metresPerUnit = toMetres(value); });
+                 [this](const std::string &value) { metresPerUnit = programs::metresPerUnit(value); });
   line.add("--config", "ViSP's .xml or our .json, with the camera's parameters", config);
   line.add("--preset", "settings by purpose: " + joined(vpMultiCuePresetNames()), preset);
   line.add("--cues", "cues to use, with commas: " + cueNames(), cues);

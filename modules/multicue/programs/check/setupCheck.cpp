@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "check/setupCheck.h"
+
+#include "check/checkedCamera.h"
+#include "check/checkedModel.h"
+#include "check/checkedStart.h"
+#include "drawing/modelDrawing.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace programs {
+namespace {
+// Runs a step. \return False where it threw, which is then blamed on a topic.
+template <typename Step> bool tryStep(const std::string &topic, CheckReport &report, const Step &step)
+{
+  try {
+    step();
+    return true;
+  } catch (const vpException &e) {
+    report.blame(topic, e.getMessage());
+  } catch (const std::exception &e) {
+    report.blame(topic, e.what());
+  }
+  return false;
+}
+
+bool load(const Setup &setup, vpMbMultiCueTracker &tracker, CheckReport &report)
+{
+  tracker.setModelUnit(setup.metresPerUnit);
+  // The model first, so that the one of the command line goes before that of the configuration.
+  const bool isLoaded = setup.model.empty() || tryStep("model", report, [&] { tracker.loadModel(setup.model); });
+  const bool isConfigured = setup.config.empty() || tryStep("config", report, [&] {
+                              tracker.loadConfigFile(setup.config, false);
+                              for (const vpConfigReport::Item &item : tracker.getConfigReport().left) {
+                                report.say("config", "left " + item.name + ": " + item.reason);
+                              }
+                            });
+  if (isLoaded && isConfigured && !tracker.getModel()) {
+    report.blame("model", "there is none: give --model, or a configuration that says one");
+  }
+  return isConfigured && tracker.getModel();
+}
+
+vpImage<vpRGBa> readImage(const std::string &file, CheckReport &report)
+{
+  const cv::Mat image = cv::imread(file, cv::IMREAD_COLOR);
+  vpImage<vpRGBa> I(static_cast<unsigned int>(image.rows), static_cast<unsigned int>(image.cols));
+  if (image.empty()) {
+    report.blame("image", file + " is missing, or no image");
+    return I;
+  }
+  cv::Mat color(image.size(), CV_8UC4, I.bitmap);
+  cv::cvtColor(image, color, cv::COLOR_BGR2RGBA);
+  return I;
+}
+
+// The model over the image where it starts, with what is wrong.
+void writeOverlay(const std::string &file, vpMbMultiCueTracker &tracker, const vpImage<vpRGBa> &I,
+                  const vpHomogeneousMatrix &cMo, const CheckReport &report)
+{
+  const cv::Mat color(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8UC4,
+                      const_cast<vpRGBa *>(I.bitmap));
+  cv::Mat picture;
+  cv::cvtColor(color, picture, cv::COLOR_RGBA2BGR);
+  vpCameraParameters cam;
+  tracker.getCameraParameters(cam);
+  const cv::Scalar state = colorOf(report.faults.empty() ? vpTrackingState::TRACKING : vpTrackingState::LOST);
+  drawModel(picture, tracker, cMo, cam, state, 2);
+  const cv::Point corner(10, 22);
+  drawText(picture, report.faults.empty() ? std::vector<std::string>{"no fault"} : report.faults, corner, state);
+  if (!cv::imwrite(file, picture)) {
+    throw vpException(vpException::ioError, file + " cannot be written");
+  }
+}
+} // namespace
+
+CheckReport checkSetup(const Setup &setup)
+{
+  CheckReport report;
+  vpMbMultiCueTracker tracker;
+  const bool isLoaded = load(setup, tracker, report);
+  if (tracker.getModel()) {
+    checkGeometry(*tracker.getModel(), report);
+    checkViews(tracker.getModel(), vpModelRenderer::AUTOMATIC, report);
+  }
+  vpImage<vpRGBa> I;
+  if (!setup.image.empty()) {
+    I = readImage(setup.image, report);
+    if (I.getSize() > 0) {
+      checkImage(I, report);
+    }
+  }
+  vpCameraParameters cam;
+  tracker.getCameraParameters(cam);
+  const bool hasCamera = isLoaded && checkCamera(cam, tracker.getConfigReport(), I, report);
+  if (setup.pose.empty()) {
+    return report;
+  }
+  const std::optional<vpHomogeneousMatrix> cMo = readStart(setup.pose, report);
+  if (!cMo || !hasCamera || I.getSize() == 0) {
+    return report;
+  }
+  tryStep("start", report, [&] {
+    if (report.faults.empty() && checkStart(tracker, I, *cMo, report)) {
+      checkCues(tracker, I, *cMo, report);
+    }
+  });
+  if (!setup.overlay.empty()) {
+    tryStep("overlay", report, [&] {
+      writeOverlay(setup.overlay, tracker, I, *cMo, report);
+      report.say("overlay", setup.overlay);
+    });
+  }
+  return report;
+}
+
+} // namespace programs
