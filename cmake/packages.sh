@@ -11,6 +11,9 @@ build_packages=(
 )
 # shellcheck disable=SC2034
 test_packages=(catch2 libbenchmark-dev)
+# For the target doc; neither ./demo nor ./check makes it.
+# shellcheck disable=SC2034
+doc_packages=(doxygen graphviz)
 
 # Installs those of the named packages that are missing; where that cannot be done, says how and carries on.
 install_missing() {

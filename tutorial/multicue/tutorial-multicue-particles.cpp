@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <set>
 
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
@@ -103,15 +104,17 @@ void run(const std::string &images, const std::string &model, const std::string 
 
   //! [Track]
   vpTrackingState before = vpTrackingState::TRACKING;
+  std::set<vpTrackingState> shown;
   while (!frames.end()) {
     frames.acquire(I);
     tracker.track(I);
     const vpTrackingState state = tracker.getTrackingState();
-    if (state != before) { // The object is hidden, lost, looked at again or found.
-      const std::string number = std::to_string(frames.getFrameIndex());
-      write(folder + "/particles" + number + ".jpg", I, tracker);
-      std::cout << "frame " << number << " " << toString(state) << ", " << tracker.getPoseModes().size() << " modes"
-                << std::endl;
+    if (state != before) {              // The object is hidden, lost, looked at again or found.
+      if (shown.insert(state).second) { // The first picture of each state.
+        write(folder + "/particles-" + toString(state) + ".jpg", I, tracker);
+      }
+      std::cout << "frame " << frames.getFrameIndex() << " " << toString(state) << ", " << tracker.getPoseModes().size()
+                << " modes" << std::endl;
     }
     before = state;
   }

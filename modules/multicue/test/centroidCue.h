@@ -16,6 +16,7 @@ BEGIN_VISP_NAMESPACE
 class vpCentroidCue : public vpPoseCue
 {
 public:
+  //! [Match]
   void match(const vpCueFrame &frame, const vpModelView &view) override
   {
     m_camera = frame.camera();
@@ -36,7 +37,9 @@ public:
       }
     }
   }
+  //! [Match]
 
+  //! [Residuals]
   void residuals(const vpHomogeneousMatrix &cMo, vpResidualBlock &block) const override
   {
     block.rows.assign(hasData() ? 2 : 0, vpResidual());
@@ -62,6 +65,7 @@ public:
       block.rows[1].error -= (m_seen.y() / m_pixels - m_camera.get_v0()) / m_camera.get_py();
     }
   }
+  //! [Residuals]
 
   void updateReference(const vpHomogeneousMatrix &, const std::vector<double> &) override {}
   void reset() override {}
@@ -104,6 +108,7 @@ private:
   double m_pixels = 0.;
 };
 
+//! [Kind]
 class vpTrackedCentroid : public vpTrackedCue
 {
 public:
@@ -132,6 +137,7 @@ public:
 private:
   vpCentroidCue m_cue;
 };
+//! [Kind]
 
 END_VISP_NAMESPACE
 #endif

@@ -8,7 +8,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_cues_color How object and background are told apart by their colours. */
+/*!
+  \ingroup group_cues_color
+  How object and background are told apart by their colours.
+*/
 struct VISP_EXPORT vpColorCueSettings
 {
   //! What one equation stands for on the fine levels.

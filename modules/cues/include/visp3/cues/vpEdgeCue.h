@@ -9,7 +9,10 @@ BEGIN_VISP_NAMESPACE
 
 class vpLineProjector;
 
-/*! \ingroup group_cues_edge How edges are looked for. */
+/*!
+  \ingroup group_cues_edge
+  How edges are looked for.
+*/
 struct VISP_EXPORT vpEdgeCueSettings
 {
   //! The two scales of ViSP's moving-edge threshold.

@@ -8,7 +8,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_cues_frame Whole pixels of an image, a rectangle. May reach beyond the image, and be empty. */
+/*!
+  \ingroup group_cues_frame
+  Whole pixels of an image, a rectangle. May reach beyond the image, and be empty.
+*/
 struct vpImageRegion
 {
   int left = 0;   //!< First column.

@@ -19,7 +19,8 @@ BEGIN_VISP_NAMESPACE
 
 struct vpRenderedView;
 
-//! \ingroup group_cues_memory A pose that features of keyframes agree on.
+//! \ingroup group_cues_memory
+//! A pose that features of keyframes agree on.
 struct vpKeyframePose
 {
   vpHomogeneousMatrix cMo;

@@ -16,7 +16,10 @@ BEGIN_VISP_NAMESPACE
 
 class vpMapEdges;
 
-/*! \ingroup group_cues_edge What counts as an image edge, and how far its distance is told. */
+/*!
+  \ingroup group_cues_edge
+  What counts as an image edge, and how far its distance is told.
+*/
 struct VISP_EXPORT vpOrientedDistanceSettings
 {
   double scale = 0.5;       //!< Map pixels per image pixel: 1, 1 / 2, 1 / 3, ... or 1 / 8.

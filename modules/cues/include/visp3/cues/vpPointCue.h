@@ -9,7 +9,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_cues_point How points are chosen and followed: the parameters of ViSP's vpKltOpencv. */
+/*!
+  \ingroup group_cues_point
+  How points are chosen and followed: the parameters of ViSP's vpKltOpencv.
+*/
 struct VISP_EXPORT vpPointCueSettings
 {
   int maxFeatures = 100;       //!< Largest number of points, [1, 100000]; each takes some microseconds per frame.

@@ -12,7 +12,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_cues One equation of the pose's least squares. */
+/*!
+  \ingroup group_cues
+  One equation of the pose's least squares.
+*/
 struct vpResidual
 {
   double error = 0.; //!< s - s*, in the cue's own unit.
@@ -23,8 +26,10 @@ struct vpResidual
   bool onSurface = false; //!< Of a mark on the surface, which turns with it, as print does; else of an outline.
 };
 
-/*! \ingroup group_cues The equations that a cue gives for a pose; always in the same order between two calls of
- * match(). */
+/*!
+  \ingroup group_cues
+  The equations that a cue gives for a pose; always in the same order between two calls of match().
+*/
 struct vpResidualBlock
 {
   std::vector<vpResidual> rows;
@@ -33,7 +38,10 @@ struct vpResidualBlock
       0.; //!< Standard deviation of error that the image's noise alone explains; robust scales do not go below it.
 };
 
-/*! \ingroup group_cues What became of a feature, with the values of ViSP's vpMeSite::vpMeSiteState. */
+/*!
+  \ingroup group_cues
+  What became of a feature, with the values of ViSP's vpMeSite::vpMeSiteState.
+*/
 enum class vpFeatureState
 {
   GOOD = 0,      //!< Used.
@@ -42,7 +50,10 @@ enum class vpFeatureState
   OUTLIER = 3    //!< Found, and refused by the robust estimation.
 };
 
-/*! \ingroup group_cues A feature for display. */
+/*!
+  \ingroup group_cues
+  A feature for display.
+*/
 struct vpCueFeature
 {
   double u = 0.; //!< Column in the frame, pixels.
@@ -66,7 +77,7 @@ public:
   //! How many levels the cue has, coarse to fine: for each in turn, the pose is estimated from setLevel() and match()
   //! on.
   virtual unsigned int levels() const { return 1; }
-  //! Chooses the level of the following calls of match(). \param level 0 is the coarsest; beyond the finest: that one.
+  //! Chooses the level of the following calls of match(): 0 is the coarsest; beyond the finest: that one.
   virtual void setLevel(unsigned int /*level*/) {}
 
   //! Finds in \e frame what \e view shows. Never throws because of what the image shows: it may find nothing.

@@ -10,7 +10,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_model_rendering What to render. */
+/*!
+  \ingroup group_model_rendering
+  What to render.
+*/
 struct VISP_EXPORT vpRenderOptions
 {
   enum Channel : unsigned int

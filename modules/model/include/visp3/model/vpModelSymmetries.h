@@ -11,7 +11,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_model_geometry A line about which an object may be turned by any angle and looks the same. */
+/*!
+  \ingroup group_model_geometry
+  A line about which an object may be turned by any angle and looks the same.
+*/
 struct vpSymmetryAxis
 {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); //!< Object frame; any length above 0.
@@ -85,7 +88,10 @@ private:
   std::vector<vpSymmetryAxis> m_axes;
 };
 
-/*! \ingroup group_model_geometry How alike a model has to be to itself. */
+/*!
+  \ingroup group_model_geometry
+  How alike a model has to be to itself.
+*/
 struct VISP_EXPORT vpSymmetryOptions
 {
   double tolerance = 0.01;     //!< How far surface and edges may be apart, in diameters, (0, 0.1].

@@ -7,14 +7,18 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! \ingroup group_model_view Where a control point lies on the object as it is seen.
+//! \ingroup group_model_view
+//! Where a control point lies on the object as it is seen.
 enum class vpEdgeKind
 {
   SILHOUETTE, //!< Background behind the edge.
   INNER       //!< Another part of the object behind the edge, or surface on both sides.
 };
 
-/*! \ingroup group_model_view A point of the object's edges that is seen from one pose ([P14] III-A). */
+/*!
+  \ingroup group_model_view
+  A point of the object's edges that is seen from one pose ([P14] III-A).
+*/
 struct vpControlPoint
 {
   Eigen::Vector3d position;  //!< Object frame, metres.
@@ -31,7 +35,10 @@ struct vpControlPoint
   double parameter = 0.; //!< Place along the model edge, [0, 1].
 };
 
-/*! \ingroup group_model_view A run of consecutive control points. */
+/*!
+  \ingroup group_model_view
+  A run of consecutive control points.
+*/
 struct vpContour
 {
   int first = 0;        //!< Index of its first control point.
@@ -40,7 +47,10 @@ struct vpContour
   double step = 0.;     //!< Distance of neighbouring control points along it, pixels.
 };
 
-/*! \ingroup group_model_view Level of detail of one face, as ViSP's setLod() has it, and whether it is tracked. */
+/*!
+  \ingroup group_model_view
+  Level of detail of one face, as ViSP's setLod() has it, and whether it is tracked.
+*/
 struct vpFaceDetail
 {
   bool enabled = false;
@@ -49,7 +59,10 @@ struct vpFaceDetail
   bool tracked = true;           //!< False: edges that no other face shows are left out.
 };
 
-/*! \ingroup group_model_view How a view is taken. */
+/*!
+  \ingroup group_model_view
+  How a view is taken.
+*/
 struct VISP_EXPORT vpModelViewOptions
 {
   double sampleStep = 4.;      //!< Distance of control points along an edge, pixels, >= 0.5.

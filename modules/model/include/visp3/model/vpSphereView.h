@@ -6,7 +6,8 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! \ingroup group_model_view One point of a vpSphereView.
+//! \ingroup group_model_view
+//! One point of a vpSphereView.
 struct vpSphereViewPoint
 {
   Eigen::Vector3f position;  //!< Object frame, metres.

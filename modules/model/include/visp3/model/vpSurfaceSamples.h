@@ -9,7 +9,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_model_geometry A place on the object's surface. */
+/*!
+  \ingroup group_model_geometry
+  A place on the object's surface.
+*/
 struct vpSurfaceSample
 {
   Eigen::Vector3f position;      //!< Object frame, metres.

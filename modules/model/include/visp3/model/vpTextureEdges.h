@@ -6,7 +6,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_model_geometry A straight edge of what is printed or painted on the surface. */
+/*!
+  \ingroup group_model_geometry
+  A straight edge of what is printed or painted on the surface.
+*/
 struct vpTextureEdge
 {
   std::array<Eigen::Vector3d, 2> position; //!< Its ends on the surface, object frame, metres.
@@ -18,7 +21,10 @@ struct vpTextureEdge
   bool oriented = true;  //!< True where the back of the surface can never be seen.
 };
 
-/*! \ingroup group_model_geometry What counts as an edge of the texture. */
+/*!
+  \ingroup group_model_geometry
+  What counts as an edge of the texture.
+*/
 struct VISP_EXPORT vpTextureEdgeOptions
 {
   double resolution = 400.;    //!< Pixels per diameter that the surface is drawn with, [50, 4000]; about as many as the

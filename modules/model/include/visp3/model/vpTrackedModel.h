@@ -30,7 +30,10 @@ struct vpModelFace
   std::vector<int> corners;                         //!< Vertices in order, for a planar face of a .cao or .wrl file.
 };
 
-/*! \ingroup group_model_geometry A straight edge that is looked for in the image wherever it is not hidden. */
+/*!
+  \ingroup group_model_geometry
+  A straight edge that is looked for in the image wherever it is not hidden.
+*/
 struct vpModelEdge
 {
   std::array<int, 2> vertex = {{-1, -1}}; //!< Its ends.
@@ -39,7 +42,10 @@ struct vpModelEdge
   int line = -1; //!< A face without triangles that carries the name and polygon index of a line, -1 for other edges.
 };
 
-/*! \ingroup group_model_geometry A triangle of the surface. */
+/*!
+  \ingroup group_model_geometry
+  A triangle of the surface.
+*/
 struct vpModelTriangle
 {
   std::array<int, 3> vertex = {{-1, -1, -1}}; //!< Counter-clockwise seen from outside.
@@ -47,7 +53,10 @@ struct vpModelTriangle
   int face = -1;                              //!< The face that it belongs to.
 };
 
-/*! \ingroup group_model_geometry A cylinder's mantle; its limbs are edges in the image. */
+/*!
+  \ingroup group_model_geometry
+  A cylinder's mantle; its limbs are edges in the image.
+*/
 struct vpModelCylinder
 {
   std::array<Eigen::Vector3d, 2> axis; //!< Ends of the axis, object frame, metres.
@@ -55,7 +64,10 @@ struct vpModelCylinder
   int face = -1;                       //!< The face of its mantle.
 };
 
-/*! \ingroup group_model_geometry A circle drawn on the object. */
+/*!
+  \ingroup group_model_geometry
+  A circle drawn on the object.
+*/
 struct vpModelCircle
 {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); //!< Object frame, metres.
@@ -78,7 +90,10 @@ struct vpModelAppearance
   std::vector<vpImage<vpRGBa>> images;                 //!< Texture images.
 };
 
-/*! \ingroup group_model_geometry What was found when a model was loaded: read it before blaming the tracker. */
+/*!
+  \ingroup group_model_geometry
+  What was found when a model was loaded: read it before blaming the tracker.
+*/
 struct vpModelReport
 {
   std::string file;                                       //!< What was read.
@@ -106,7 +121,10 @@ struct vpModelReport
   bool convex = false;               //!< Nothing of the object can hide another part of it.
 };
 
-/*! \ingroup group_model_geometry Prints a report in a few lines, lengths with their unit. */
+/*!
+  \ingroup group_model_geometry
+  Prints a report in a few lines, lengths with their unit.
+*/
 VISP_EXPORT std::ostream &operator<<(std::ostream &os, const vpModelReport &report);
 
 /*!

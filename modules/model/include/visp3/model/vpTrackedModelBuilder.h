@@ -12,7 +12,10 @@ struct ModelParts;
 class VertexPool;
 } // namespace vpMeshDetail
 
-/*! \ingroup group_model_geometry How raw geometry becomes a model. */
+/*!
+  \ingroup group_model_geometry
+  How raw geometry becomes a model.
+*/
 struct VISP_EXPORT vpModelOptions
 {
   double unit = 1.; //!< Metres per unit of a mesh file: 1 (m), 0.01 (cm), 0.001 (mm); > 0.

@@ -10,7 +10,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_model_view Where the views of a vpViewSphere are taken from, and what is kept of them. */
+/*!
+  \ingroup group_model_view
+  Where the views of a vpViewSphere are taken from, and what is kept of them.
+*/
 struct VISP_EXPORT vpViewSphereOptions
 {
   //! Control points 2 pixels apart, from which those that are kept can be chosen evenly.

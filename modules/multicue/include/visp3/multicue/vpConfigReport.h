@@ -48,10 +48,12 @@ struct VISP_EXPORT vpConfigReport
   void leave(const std::string &setting, const std::string &reason);
 };
 
-//! \ingroup group_multicue_settings \return For instance "vpRBTracker's JSON".
+//! \ingroup group_multicue_settings
+//! \return For instance "vpRBTracker's JSON".
 VISP_EXPORT const char *toString(vpConfigReport::Format format);
 
-//! \ingroup group_multicue_settings Writes the report, a line for each item.
+//! \ingroup group_multicue_settings
+//! Writes the report, a line for each item.
 VISP_EXPORT std::ostream &operator<<(std::ostream &stream, const vpConfigReport &report);
 
 END_VISP_NAMESPACE

@@ -98,7 +98,8 @@ struct vpMbTrackingResult
   //@}
 };
 
-//! \ingroup group_multicue \return The reason's name, "WELL_EXPLAINED" for instance.
+//! \ingroup group_multicue
+//! \return The reason's name, "WELL_EXPLAINED" for instance.
 VISP_EXPORT const char *toString(vpMbTrackingResult::Reason reason);
 
 END_VISP_NAMESPACE

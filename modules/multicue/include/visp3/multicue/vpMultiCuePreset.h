@@ -9,7 +9,8 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! \ingroup group_multicue Settings of vpMbMultiCueTracker that go together, by purpose: see \ref multicue_presets.
+//! \ingroup group_multicue
+//! Settings of vpMbMultiCueTracker that go together, by purpose: see \ref multicue_presets.
 enum class vpMultiCuePreset
 {
   ROBUST, //!< "robust": edges, points and colours, with a prediction and a search that takes 33 ms of a frame; what a
@@ -21,13 +22,16 @@ enum class vpMultiCuePreset
   PETIT2014     //!< "petit2014": edges, colours and points in one minimisation, with a Kalman filter, [P14].
 };
 
-//! \ingroup group_multicue \return The preset's name, "robust" for instance.
+//! \ingroup group_multicue
+//! \return The preset's name, "robust" for instance.
 VISP_EXPORT const char *toString(vpMultiCuePreset preset);
 
-//! \ingroup group_multicue \param name As toString() gives it. \throw vpException naming the known ones for others.
+//! \ingroup group_multicue
+//! \param name As toString() gives it. \throw vpException naming the known ones for others.
 VISP_EXPORT vpMultiCuePreset vpMultiCuePresetFromString(const std::string &name);
 
-//! \ingroup group_multicue \return The names of all presets.
+//! \ingroup group_multicue
+//! \return The names of all presets.
 VISP_EXPORT std::vector<std::string> vpMultiCuePresetNames();
 
 END_VISP_NAMESPACE

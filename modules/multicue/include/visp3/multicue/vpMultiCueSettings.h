@@ -21,7 +21,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_multicue_settings How a pose is estimated: what vpMbTracker has setters for. */
+/*!
+  \ingroup group_multicue_settings
+  How a pose is estimated: what vpMbTracker has setters for.
+*/
 struct VISP_EXPORT vpEstimationSettings
 {
   //! vpMbTracker::vpMbtOptimizationMethod.
@@ -43,7 +46,10 @@ struct VISP_EXPORT vpEstimationSettings
   std::vector<unsigned int> motions = {1, 1, 1, 1, 1, 1};
 };
 
-/*! \ingroup group_multicue_settings What vpMbMultiCueTracker::display() draws beside the model. */
+/*!
+  \ingroup group_multicue_settings
+  What vpMbMultiCueTracker::display() draws beside the model.
+*/
 struct VISP_EXPORT vpDisplaySettings
 {
   bool features = false;   //!< See vpMbTracker::setDisplayFeatures().
@@ -51,7 +57,10 @@ struct VISP_EXPORT vpDisplaySettings
   bool particles = false;  //!< See vpMbMultiCueTracker::setDisplayParticles().
 };
 
-/*! \ingroup group_multicue_settings Everything that a configuration file can say. */
+/*!
+  \ingroup group_multicue_settings
+  Everything that a configuration file can say.
+*/
 struct VISP_EXPORT vpMultiCueSettings
 {
   vpCameraParameters camera;

@@ -65,7 +65,10 @@ struct VISP_EXPORT vpParticleSettings
   void check() const;
 };
 
-/*! \ingroup group_multicue One of the poses that vpMbMultiCueTracker::getParticles() returns. */
+/*!
+  \ingroup group_multicue
+  One of the poses that vpMbMultiCueTracker::getParticles() returns.
+*/
 struct vpPoseParticle
 {
   vpHomogeneousMatrix cMo;

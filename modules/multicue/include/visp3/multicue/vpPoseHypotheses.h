@@ -11,7 +11,10 @@
 
 BEGIN_VISP_NAMESPACE
 
-/*! \ingroup group_multicue How several poses are drawn from the edges that one image offers ([T10] II). */
+/*!
+  \ingroup group_multicue
+  How several poses are drawn from the edges that one image offers ([T10] II).
+*/
 struct VISP_EXPORT vpPoseHypothesisSettings
 {
   bool enabled = false; //!< Off: the pose is the one that the nearest candidates lead to.
@@ -31,7 +34,10 @@ struct VISP_EXPORT vpPoseHypothesisSettings
   void check() const;
 };
 
-/*! \ingroup group_multicue One of the poses that an image allows. */
+/*!
+  \ingroup group_multicue
+  One of the poses that an image allows.
+*/
 struct vpPoseHypothesis
 {
   vpHomogeneousMatrix cMo;

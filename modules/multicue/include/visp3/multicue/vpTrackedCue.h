@@ -40,7 +40,7 @@ public:
 
   //! The cue is among those of the tracker, or no longer is. \throw vpException where it cannot be had.
   virtual void setUsed(bool /*isUsed*/, vpModelLooks & /*looks*/) {}
-  //! Matches in one of the rounds in which all cues take part. \param round 0 is the first; each is a little finer.
+  //! Matches in one of the rounds in which all cues take part: 0 is the first; each is a little finer.
   virtual void matchFine(const vpCueFrame &image, const vpModelView &view, unsigned int /*round*/)
   {
     cue().match(image, view);
@@ -63,7 +63,7 @@ public:
   //! What it learnt, and back to it.
   virtual vpCueReference reference() const { return nullptr; }
   virtual void recall(const vpCueReference & /*reference*/) {}
-  //! The object is lost: what was learnt last may be of something else. \param isSearched It will be looked for.
+  //! The object is lost: what was learnt last may be of something else. It may be looked for, or not.
   virtual void noteLoss(bool /*isSearched*/) {}
   //! A start: forgets all that images taught.
   virtual void forget(vpModelLooks & /*looks*/) { cue().reset(); }

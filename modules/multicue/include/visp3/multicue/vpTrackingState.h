@@ -6,7 +6,8 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! \ingroup group_multicue What a tracker says of its pose after a frame.
+//! \ingroup group_multicue
+//! What a tracker says of its pose after a frame.
 enum class vpTrackingState
 {
   TRACKING,  //!< The image supports the pose.
@@ -14,7 +15,8 @@ enum class vpTrackingState
   LOST       //!< It does not: the pose is the one before, or for half a second the one that is predicted.
 };
 
-//! \ingroup group_multicue \return The state's name, "TRACKING" for instance.
+//! \ingroup group_multicue
+//! \return The state's name, "TRACKING" for instance.
 VISP_EXPORT const char *toString(vpTrackingState state);
 
 END_VISP_NAMESPACE

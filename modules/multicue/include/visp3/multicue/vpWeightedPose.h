@@ -13,14 +13,16 @@
 
 BEGIN_VISP_NAMESPACE
 
-//! \ingroup group_multicue A pose that the object may have, by a detector for instance.
+//! \ingroup group_multicue
+//! A pose that the object may have, by a detector for instance.
 struct vpWeightedPose
 {
   vpHomogeneousMatrix cMo; //!< Object to camera, metres.
   double weight = 1.;      //!< How likely it is in comparison to the others, > 0, any unit.
 };
 
-//! \ingroup group_multicue How far a pose that was given may be off the object's.
+//! \ingroup group_multicue
+//! How far a pose that was given may be off the object's.
 struct VISP_EXPORT vpPoseDeviation
 {
   //! Of the place of the object's middle, root mean square of the distance, metres; 0, the default: a tenth of the

@@ -19,7 +19,8 @@ inline bool vpIsSame(double a, double b)
   return std::equal_to<double>()(a, b);
 }
 
-//! \ingroup group_se3 The contrary of vpIsSame().
+//! \ingroup group_se3
+//! The contrary of vpIsSame().
 inline bool vpIsOther(double a, double b)
 {
   return !vpIsSame(a, b);
