@@ -36,6 +36,9 @@ function(multicue_install_program name)
     COMMAND ${CMAKE_COMMAND} -D "program=$<TARGET_FILE:${name}>" -D "page=${page}" -D "version=${PROJECT_VERSION}"
       -P ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
     VERBATIM)
+  # It finds the libraries from where they are installed together.
+  file(RELATIVE_PATH libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
 endfunction()
