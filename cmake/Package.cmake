@@ -27,5 +27,5 @@ configure_package_config_file(cmake/VISPMultiCueConfig.cmake.in ${PROJECT_BINARY
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/VISPMultiCueConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/VISPMultiCueConfig.cmake ${PROJECT_BINARY_DIR}/VISPMultiCueConfigVersion.cmake
               cmake/SupportedVisp.cmake
-  DESTINATION ${package_folder})
-install(EXPORT VISPMultiCueTargets DESTINATION ${package_folder})
+  DESTINATION ${package_folder} COMPONENT development)
+install(EXPORT VISPMultiCueTargets DESTINATION ${package_folder} COMPONENT development)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # ViSP's module macros for a build against an installed ViSP, so that the modules' CMake files serve both builds.
 include(GNUInstallDirs)
+include(cmake/PkgConfig.cmake)
 
 # ViSP's imported targets carry no include directories. Eigen is here because public headers use it.
 add_library(installed_visp INTERFACE)
@@ -54,12 +55,15 @@ macro(vp_create_module)
     LINKER_LANGUAGE CXX # a module of headers alone has no source that would tell
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  install(TARGETS ${the_module} EXPORT VISPMultiCueTargets)
+  install(TARGETS ${the_module} EXPORT VISPMultiCueTargets
+    LIBRARY COMPONENT libraries NAMELINK_COMPONENT development
+    ARCHIVE COMPONENT development)
   foreach(header ${sources_HEADERS})
     get_filename_component(folder ${header} DIRECTORY)
     string(REGEX REPLACE "^include" "${CMAKE_INSTALL_INCLUDEDIR}" folder ${folder})
-    install(FILES ${header} DESTINATION ${folder})
+    install(FILES ${header} DESTINATION ${folder} COMPONENT development)
   endforeach()
+  multicue_write_pkg_config(${the_module} ${deps})
   set_property(GLOBAL APPEND PROPERTY MULTICUE_MODULES ${the_module})
   set_property(GLOBAL APPEND PROPERTY MULTICUE_PRIVATE_LIBRARIES ${private})
 endmacro()
