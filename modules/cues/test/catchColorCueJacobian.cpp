@@ -128,7 +128,7 @@ TEST_CASE("a line's error is the offset of its contour in standard deviations", 
     cue.match(source.frame(I, makeCamera(), nullptr), scene.look(cMo));
     const vpHomogeneousMatrix pose = shifted(cMo, 0.4, 0.);
     cue.residuals(pose, block);
-    CHECK(block.noise == 1.);
+    CHECK(block.noise == exactly(1.));
     // Coarse levels tell the contour's place to a share of the pixels that they take together.
     const std::vector<unsigned int> &scales = cue.settings().scales;
     const double tolerance = level < scales.size() ? 0.5 + 0.15 * scales[level] : 0.5;
@@ -168,8 +168,8 @@ TEST_CASE("points behind the camera have no weight", "[color-jacobian]")
       cue.residuals(behind, block);
       REQUIRE(block.rows.size() >= cue.lines().size());
       for (const vpResidual &row : block.rows) {
-        REQUIRE(row.weight == 0.);
-        REQUIRE(row.error == 0.);
+        REQUIRE(row.weight == exactly(0.));
+        REQUIRE(row.error == exactly(0.));
         REQUIRE(row.jacobian.isZero());
       }
       CHECK_NOTHROW(cue.updateReference(behind, std::vector<double>(block.rows.size(), 1.)));

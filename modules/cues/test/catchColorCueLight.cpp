@@ -47,7 +47,7 @@ TEST_CASE("Colours without light speak neither for a pose nor against it", "[col
   std::size_t dark = 0;
   for (const vpColorCue::Line &line : cue.lines()) {
     if (line.pixel.x() > middle + 10.) {
-      CHECK(line.light == 0.);
+      CHECK(line.light == exactly(0.));
       ++dark;
     }
   }

@@ -37,7 +37,7 @@ bool sameRows(const vpResidualBlock &a, const vpResidualBlock &b)
 {
   bool same = a.rows.size() == b.rows.size();
   for (std::size_t i = 0; same && i < a.rows.size(); ++i) {
-    same = a.rows[i].error == b.rows[i].error && a.rows[i].jacobian == b.rows[i].jacobian;
+    same = a.rows[i].error == exactly(b.rows[i].error) && a.rows[i].jacobian == b.rows[i].jacobian;
   }
   return same;
 }
@@ -56,7 +56,7 @@ TEST_CASE("the first match learns from the view's pose, reset forgets", "[color-
   REQUIRE(cue.histograms().isKnown());
   CHECK(cue.histograms().object(pixel(200, 40, 40)) > 0.95F);
   CHECK(cue.histograms().object(pixel(40, 40, 200)) < 0.05F);
-  CHECK(cue.histograms().object(pixel(10, 240, 10)) == 0.5F); // Never seen.
+  CHECK(cue.histograms().object(pixel(10, 240, 10)) == exactly(0.5F)); // Never seen.
   cue.reset();
   CHECK_FALSE(cue.histograms().isKnown());
   CHECK_FALSE(cue.lines().empty());
@@ -76,13 +76,13 @@ TEST_CASE("the histograms follow the trusted frames, at the rate that was set", 
   green.object = [](const Eigen::Vector3d &) { return Color(40., 200., 40.); };
   const vpImage<vpRGBa> second = scene.draw(cMo, green);
   cue.match(source.frame(second, makeCamera(), nullptr), scene.look(cMo));
-  CHECK(cue.histograms().object(pixel(40, 200, 40)) == 0.5F); // match() alone learns nothing.
+  CHECK(cue.histograms().object(pixel(40, 200, 40)) == exactly(0.5F)); // match() alone learns nothing.
 
   const std::size_t rows = rowsOf(cue).rows.size();
   SECTION("outliers teach nothing")
   {
     cue.updateReference(cMo, std::vector<double>(rows, 0.));
-    CHECK(cue.histograms().object(pixel(40, 200, 40)) == 0.5F);
+    CHECK(cue.histograms().object(pixel(40, 200, 40)) == exactly(0.5F));
     CHECK(cue.histograms().object(pixel(200, 40, 40)) > 0.95F);
   }
   SECTION("inliers do")
@@ -135,7 +135,7 @@ TEST_CASE("nothing is learnt from masked pixels", "[color-memory]")
     a.updateReference(cMo, std::vector<double>(rowsOf(a).rows.size(), 1.));
     b.updateReference(cMo, std::vector<double>(rowsOf(b).rows.size(), 1.));
   }
-  CHECK(b.histograms().object(pixel(10, 240, 10)) == 0.5F);
+  CHECK(b.histograms().object(pixel(10, 240, 10)) == exactly(0.5F));
 }
 
 TEST_CASE("colours of the last trusted frame count with 1 - alpha", "[color-memory]")
@@ -155,7 +155,7 @@ TEST_CASE("colours of the last trusted frame count with 1 - alpha", "[color-memo
   };
   const vpResidualBlock alone = rowsAfter();
   learn(cue, scene, source.frame(before, makeCamera(), nullptr), cMo);
-  CHECK(sameRows(alone, rowsAfter()) == (settings.alpha == 1.));
+  CHECK(sameRows(alone, rowsAfter()) == (settings.alpha == exactly(1.)));
   cue.reset();
   CHECK(sameRows(alone, rowsAfter()));
   learn(cue, scene, source.frame(before, makeCamera(), nullptr), cMo);
@@ -214,7 +214,7 @@ TEST_CASE("the cue goes back to what it knew before", "[color-memory]")
   learn(cue, scene, source.frame(other, makeCamera(), nullptr), cMo);
   REQUIRE(evidence() < 0.5 * known);
   cue.setReference(before);
-  CHECK(evidence() == known);
+  CHECK(evidence() == exactly(known));
 
   // Not to what colours told, once images are gray.
   vpImage<unsigned char> gray;

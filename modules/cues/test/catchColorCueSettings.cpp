@@ -65,7 +65,7 @@ TEST_CASE("a member out of range is named with its value", "[color-settings]")
     CHECK_THROWS_WITH(settings.check(), ContainsSubstring("vpColorCueSettings::" + wrong.text + ","));
     CHECK_THROWS_AS(vpColorCue(settings), vpException);
     CHECK_THROWS_AS(cue.setSettings(settings), vpException);
-    CHECK(cue.settings().length == 12.); // The old ones stay.
+    CHECK(cue.settings().length == exactly(12.)); // The old ones stay.
   }
   CHECK_NOTHROW(vpColorCueSettings().check());
 }

@@ -133,7 +133,7 @@ TEST_CASE("nothing is known outside, under a mask, and before learning", "[odds-
   vpFrameSource source;
   vpColorOddsMap map;
   map.compute(source.frame(I, camera, nullptr), histograms, vpImageRegion(0, 0, 61, 40));
-  CHECK(map.logOdds(30., 20.) == 0.F);
+  CHECK(map.logOdds(30., 20.) == exactly(0.F));
 
   histograms.count(200, vpColorHistograms::OBJECT);
   histograms.count(10, vpColorHistograms::BACKGROUND);
@@ -141,26 +141,26 @@ TEST_CASE("nothing is known outside, under a mask, and before learning", "[odds-
   map.compute(source.frame(I, camera, nullptr), histograms, vpImageRegion(11, -5, 21, 20));
   CHECK(map.width() == 11);
   CHECK(map.height() == 8);
-  CHECK(map.logOdds(10., 0.) == 4.F);
-  CHECK(map.logOdds(31., 15.) == 4.F);
+  CHECK(map.logOdds(10., 0.) == exactly(4.F));
+  CHECK(map.logOdds(31., 15.) == exactly(4.F));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double outside : {9., 32., -1e300, 1e300, nan}) {
-    CHECK(map.logOdds(outside, 5.) == 0.F);
+    CHECK(map.logOdds(outside, 5.) == exactly(0.F));
   }
-  CHECK(map.logOdds(20., 16.) == 0.F);
-  CHECK(map.logOdds(20., -1.) == 0.F);
+  CHECK(map.logOdds(20., 16.) == exactly(0.F));
+  CHECK(map.logOdds(20., -1.) == exactly(0.F));
   map.compute(source.frame(I, camera, nullptr), histograms, vpImageRegion(61, 0, 5, 5));
   CHECK(map.width() == 0);
-  CHECK(map.logOdds(60., 2.) == 0.F);
-  CHECK(vpColorOddsMap().logOdds(0., 0.) == 0.F);
+  CHECK(map.logOdds(60., 2.) == exactly(0.F));
+  CHECK(vpColorOddsMap().logOdds(0., 0.) == exactly(0.F));
 
   vpImage<bool> mask(40, 61, true);
   mask[20][30] = mask[20][31] = mask[21][30] = mask[21][31] = false;
   map.compute(source.frame(I, camera, &mask), histograms, vpImageRegion(0, 0, 61, 40));
-  CHECK(map.logOdds(30., 20.) == 0.F);
-  CHECK(map.logOdds(28., 20.) == 4.F);
-  CHECK(map.logOdds(32., 20.) == 4.F);
-  CHECK(map.logOdds(60., 39.) == 4.F);
+  CHECK(map.logOdds(30., 20.) == exactly(0.F));
+  CHECK(map.logOdds(28., 20.) == exactly(4.F));
+  CHECK(map.logOdds(32., 20.) == exactly(4.F));
+  CHECK(map.logOdds(60., 39.) == exactly(4.F));
   vpImage<unsigned char> drawn;
   map.draw(drawn);
   CHECK(drawn[10][15] == 128);
@@ -186,7 +186,7 @@ TEST_CASE("where the lens saw nothing the odds are even", "[odds-map]")
     for (int x = 0; x < 160; x += 2) {
       const bool isMasked = frame.isMasked(x + 0.5, y + 0.5);
       hidden += isMasked ? 1 : 0;
-      CHECK(map.logOdds(x, y) == (isMasked ? 0.F : 4.F));
+      CHECK(map.logOdds(x, y) == exactly((isMasked ? 0.F : 4.F)));
     }
   }
   CHECK(hidden > 50);

@@ -64,9 +64,9 @@ TEST_CASE("Edges elsewhere, or of another direction, are no rivals", "[edge-clai
 {
   vpEdgeClaims::Claim across = claim(1, 0.F);
   across.normal = {0.F, 1.F};
-  CHECK(sharesOf({claim(0, 3.F), across})[0] == 1.F);
-  CHECK(sharesOf({claim(0, 3.F), claim(1, 0.F, 0.F, 1.5F)})[0] == 1.F);
-  CHECK(sharesOf({claim(0, 3.F), claim(1, 0.F, 4.5F)})[0] == 1.F); // Half a point's length is 4.
+  CHECK(sharesOf({claim(0, 3.F), across})[0] == exactly(1.F));
+  CHECK(sharesOf({claim(0, 3.F), claim(1, 0.F, 0.F, 1.5F)})[0] == exactly(1.F));
+  CHECK(sharesOf({claim(0, 3.F), claim(1, 0.F, 4.5F)})[0] == exactly(1.F)); // Half a point's length is 4.
   vpEdgeClaims::Claim other = claim(1, 0.F);
   other.normal = {-1.F, 0.F}; // Of the other side: the same direction.
   CHECK(sharesOf({claim(0, 0.F), other})[0] == Approx(0.5F));

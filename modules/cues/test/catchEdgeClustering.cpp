@@ -231,7 +231,7 @@ TEST_CASE("Draw weights follow equation 4, and what has few members is dropped",
   clustering.drawWeights(2., weights);
   const auto residue = [&](std::size_t c) { return clustering.classes()[c].residue; };
   const double share = (residue(1) - residue(0)) / (residue(2) - residue(0));
-  CHECK(weights[0] == 1.);
+  CHECK(weights[0] == exactly(1.));
   CHECK(weights[1] == Approx(std::exp(-2. * share * share)));
   CHECK(weights[2] == Approx(std::exp(-2.)));
 }

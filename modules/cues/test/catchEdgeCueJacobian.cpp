@@ -124,13 +124,13 @@ TEST_CASE("interaction matrices are the derivatives of the errors", "[edge-jacob
     std::vector<double> weights;
     for (const vpEdgeCue::Match &found : cue.matches()) {
       if (found.count > 0) {
-        REQUIRE(found.light == 1.);
+        REQUIRE(found.light == exactly(1.));
         weights.push_back(std::max(found.claim, 0.05));
       }
     }
     REQUIRE(weights.size() == block.rows.size());
     for (std::size_t j = 0; j < block.rows.size(); ++j) {
-      REQUIRE(block.rows[j].weight == weights[j]);
+      REQUIRE(block.rows[j].weight == exactly(weights[j]));
       const double norm = block.rows[j].jacobian.norm();
       REQUIRE(norm > 0.1);
       CHECK((differences[j] - block.rows[j].jacobian).norm() < 1e-4 * norm);
@@ -257,8 +257,8 @@ TEST_CASE("edges behind the camera or seen end-on have no weight", "[edge-jacobi
   cue.residuals(behind, block);
   REQUIRE(block.rows.size() == found(cue));
   for (const vpResidual &row : block.rows) {
-    CHECK(row.weight == 0.);
-    CHECK(row.error == 0.);
+    CHECK(row.weight == exactly(0.));
+    CHECK(row.error == exactly(0.));
     CHECK(row.jacobian.isZero());
   }
   // The line's direction points at the camera's centre: a quarter of a turn about the middle of the line.
@@ -269,7 +269,7 @@ TEST_CASE("edges behind the camera or seen end-on have no weight", "[edge-jacobi
   const Eigen::Vector3d tu = axis.angle() * axis.axis();
   cue.residuals(vpHomogeneousMatrix(t.x(), t.y(), t.z(), tu.x(), tu.y(), tu.z()), block);
   for (const vpResidual &row : block.rows) {
-    CHECK(row.weight == 0.);
+    CHECK(row.weight == exactly(0.));
   }
   learn(cue, behind);
   match(cue, drawStep(line, -100.), viewOf({line}));

@@ -32,13 +32,13 @@ TEST_CASE("An edge without light speaks neither for a pose nor against it", "[ed
   const vpHomogeneousMatrix cMo;
 
   match(cue, drawPanel(160.), view); // All of it.
-  CHECK(lightAt(cue, 40.) == 1.);
-  CHECK(lightAt(cue, 120.) == 1.);
+  CHECK(lightAt(cue, 40.) == exactly(1.));
+  CHECK(lightAt(cue, 120.) == exactly(1.));
   CHECK(cue.agreement(cMo, reach) > 0.9);
 
   match(cue, drawPanel(80.), view);
-  CHECK(lightAt(cue, 40.) == 1.);
-  CHECK(lightAt(cue, 120.) == 0.);
+  CHECK(lightAt(cue, 40.) == exactly(1.));
+  CHECK(lightAt(cue, 120.) == exactly(0.));
   CHECK(cue.agreement(cMo, reach) > 0.9);
 
   match(cue, drawPanel(160., 7.5), view); // Twilight: half as much above the contrast as it takes.
@@ -51,7 +51,7 @@ TEST_CASE("An edge that light would show speaks against a pose", "[edge-light]")
   const vpModelView view = viewOf({left, right});
   // The panel ends before the right line, behind which it is as bright.
   match(cue, draw([](const Eigen::Vector2d &pixel) { return pixel.x() < left.through.x() ? 2. : 100.; }), view);
-  CHECK(lightAt(cue, 120.) == 1.);
+  CHECK(lightAt(cue, 120.) == exactly(1.));
   CHECK(cue.agreement(vpHomogeneousMatrix(), reach) < 0.6);
 }
 
@@ -59,9 +59,9 @@ TEST_CASE("Without any light nothing agrees", "[edge-light]")
 {
   vpEdgeCue cue;
   const vpModelView view = viewOf({left, right});
-  CHECK(cue.agreement(vpHomogeneousMatrix(), reach) == 0.); // Nothing was matched.
+  CHECK(cue.agreement(vpHomogeneousMatrix(), reach) == exactly(0.)); // Nothing was matched.
   match(cue, draw([](const Eigen::Vector2d &) { return 0.; }), view);
-  CHECK(cue.agreement(vpHomogeneousMatrix(), reach) == 0.);
+  CHECK(cue.agreement(vpHomogeneousMatrix(), reach) == exactly(0.));
 }
 
 TEST_CASE("Points in the dark hardly pull", "[edge-light]")
@@ -80,7 +80,7 @@ TEST_CASE("Points in the dark hardly pull", "[edge-light]")
     }
     const bool isDark = match.point.pixel.x() > 80.;
     dark += isDark ? 1 : 0;
-    CHECK(block.rows[row].weight == (isDark ? 0.05 : 1.));
+    CHECK(block.rows[row].weight == exactly((isDark ? 0.05 : 1.)));
     ++row;
   }
   CHECK(dark > 5);

@@ -176,7 +176,7 @@ TEST_CASE("an edge keeps its contrast when its other face comes into view and le
       for (const vpEdgeCue::Match &match : cue.matches()) {
         if (match.point.edge == point.edge) {
           CHECK(match.state == vpFeatureState::GOOD);
-          sidesTurned += match.point.side != point.side;
+          sidesTurned += match.point.side != exactly(point.side);
         }
       }
       learn(cue, cMo);

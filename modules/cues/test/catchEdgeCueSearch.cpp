@@ -97,16 +97,16 @@ TEST_CASE("noise moves edges by less than a fifth of a pixel", "[edge-search]")
 
 TEST_CASE("offsets and contrasts have the sign of the point's normal", "[edge-search]")
 {
-  const double height = GENERATE(100., -60.);
+  const double step = GENERATE(100., -60.);
   vpEdgeCue cue(single(5));
   for (const Line &edge : edgesAllAround(8)) {
-    match(cue, drawStep(edge, height), viewOf({edge.moved(2.)}));
+    match(cue, drawStep(edge, step), viewOf({edge.moved(2.)}));
     REQUIRE(found(cue) == cue.matches().size());
     for (const vpEdgeCue::Match &match : cue.matches()) {
       const vpEdgeCue::Candidate &candidate = cue.candidates()[static_cast<std::size_t>(match.first)];
       const double along = edge.normal().dot(match.point.normal);
       CHECK(candidate.offset == Approx(offsetTo(edge, match.point)).margin(0.15));
-      CHECK(candidate.contrast == Approx(along * height).epsilon(0.1));
+      CHECK(candidate.contrast == Approx(along * step).epsilon(0.1));
     }
   }
 }
@@ -150,7 +150,7 @@ TEST_CASE("an even mask works as the next smaller odd one", "[edge-search]")
   match(odd, I, view);
   REQUIRE(even.candidates().size() == odd.candidates().size());
   for (std::size_t i = 0; i < odd.candidates().size(); ++i) {
-    CHECK(even.candidates()[i].offset == odd.candidates()[i].offset);
+    CHECK(even.candidates()[i].offset == exactly(odd.candidates()[i].offset));
   }
 }
 

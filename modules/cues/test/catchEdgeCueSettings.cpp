@@ -75,7 +75,7 @@ TEST_CASE("a member out of range is named with its value", "[edge-settings]")
     CHECK_THROWS_WITH(settings.check(), ContainsSubstring(text));
     CHECK_THROWS_AS(vpEdgeCue(settings), vpException);
     CHECK_THROWS_AS(cue.setSettings(settings), vpException);
-    CHECK(cue.settings().range == 12.); // The old ones stay.
+    CHECK(cue.settings().range == exactly(12.)); // The old ones stay.
   }
   CHECK_NOTHROW(vpEdgeCueSettings().check());
 }
@@ -85,15 +85,15 @@ TEST_CASE("ViSP's parameters are taken over", "[edge-settings]")
   vpEdgeCueSettings settings;
   settings.candidates = 2;
   settings.set(makeMe(7, 30.), vpEdgeCueSettings::CONTRAST);
-  CHECK(settings.range == 7.);
-  CHECK(settings.contrast == 30.);
-  CHECK(settings.mu1 == 0.3);
-  CHECK(settings.mu2 == 0.4);
+  CHECK(settings.range == exactly(7.));
+  CHECK(settings.contrast == exactly(30.));
+  CHECK(settings.mu1 == exactly(0.3));
+  CHECK(settings.mu2 == exactly(0.4));
   CHECK(settings.maskSize == 7);
   CHECK(settings.candidates == 2);
 
   settings.set(makeMe(5, 10000.));
-  CHECK(settings.contrast == 5.);
+  CHECK(settings.contrast == exactly(5.));
   CHECK(settings.maskSize == 5);
 }
 
@@ -105,14 +105,14 @@ TEST_CASE("parameters that make no sense change nothing", "[edge-settings]")
   vpMe me = makeMe(5, 30.);
   me.setRange(0);
   CHECK_THROWS_WITH(settings.set(me, vpEdgeCueSettings::CONTRAST), ContainsSubstring("range is 0"));
-  CHECK(settings.range == 11.);
-  CHECK(settings.contrast == vpEdgeCueSettings().contrast);
+  CHECK(settings.range == exactly(11.));
+  CHECK(settings.contrast == exactly(vpEdgeCueSettings().contrast));
 }
 
 TEST_CASE("the old threshold is twice the response of ViSP's mask", "[edge-settings]")
 {
-  CHECK(vpEdgeCueSettings::toContrast(10000., vpEdgeCueSettings::LIKELIHOOD, 5) == 5.);
-  CHECK(vpEdgeCueSettings::toContrast(20., vpEdgeCueSettings::CONTRAST, 5) == 20.);
+  CHECK(vpEdgeCueSettings::toContrast(10000., vpEdgeCueSettings::LIKELIHOOD, 5) == exactly(5.));
+  CHECK(vpEdgeCueSettings::toContrast(20., vpEdgeCueSettings::CONTRAST, 5) == exactly(20.));
   for (const unsigned int maskSize : {3U, 5U, 7U, 9U}) {
     const vpMe me = makeMe(maskSize, 0.);
     const double threshold = 2. * 12. * maskResponse(me);

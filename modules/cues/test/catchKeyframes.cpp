@@ -233,7 +233,7 @@ TEST_CASE("The result does not depend on the number of threads", "[keyframes]")
   }
   cv::setNumThreads(before);
   for (unsigned int i = 0; i < 16; ++i) {
-    CHECK(poses[0].data[i] == poses[1].data[i]);
+    CHECK(poses[0].data[i] == exactly(poses[1].data[i]));
   }
 }
 #else

@@ -15,7 +15,7 @@ TEST_CASE("masked pixels have no edges", "[distance-map]")
   vpOrientedDistanceMap map;
   map.compute(shot.frame, shot.whole);
   CHECK(map.distance(79.5, 100., 0) <= 2.);
-  CHECK(map.distance(79.5, 30., 0) == farthest);
+  CHECK(map.distance(79.5, 30., 0) == exactly(farthest));
 }
 
 TEST_CASE("images of all sizes", "[distance-map]")
@@ -45,8 +45,8 @@ TEST_CASE("uniform images and noise", "[distance-map]")
   const Shot uniform(vpImage<unsigned char>(120, 160, 90));
   map.compute(uniform.frame, uniform.whole);
   CHECK(map.edgeCount() == 0);
-  CHECK(map.threshold() == vpOrientedDistanceSettings().contrast);
-  CHECK(leastOf(map, 80., 60.) == farthest);
+  CHECK(map.threshold() == exactly(vpOrientedDistanceSettings().contrast));
+  CHECK(leastOf(map, 80., 60.) == exactly(farthest));
 
   for (const double deviation : {2., 8., 16., 30.}) {
     const Shot shot(noise(240, 320, 128., deviation));

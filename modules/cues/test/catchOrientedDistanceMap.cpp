@@ -49,7 +49,7 @@ TEST_CASE("distances are those to the edges, as exact as the weights", "[distanc
   for (int bin = 0; bin < vpOrientedDistanceMap::bins; ++bin) {
     for (unsigned int y = 0; y < map.height(); ++y) {
       for (unsigned int x = 0; x < map.width(); ++x) {
-        if (map.distance(centre(x), centre(y), bin) == 0.) {
+        if (map.distance(centre(x), centre(y), bin) == exactly(0.)) {
           edges[bin].push_back({x, y});
         }
       }
@@ -76,7 +76,7 @@ TEST_CASE("distances are those to the edges, as exact as the weights", "[distanc
   CHECK(worst < 1e-6);
   CHECK(leastOf(map, 70.3 + 33., 61.2) <= 1.5 * pixel);
   CHECK(leastOf(map, 70.3 + 24., 61.2) == Approx(9.).margin(1.3 * pixel));
-  CHECK(leastOf(map, 70.3, 61.2) == settings.maxDistance);
+  CHECK(leastOf(map, 70.3, 61.2) == exactly(settings.maxDistance));
 }
 
 TEST_CASE("an upright edge is near in its bin and far in the one across", "[distance-map]")
@@ -97,9 +97,9 @@ TEST_CASE("an upright edge is near in its bin and far in the one across", "[dist
       CHECK(map.distance(79.5 + distance, v, 7) == Approx(beside));
     }
     for (int bin = 2; bin < 7; ++bin) {
-      CHECK(map.distance(79.5, v, bin) == farthest);
+      CHECK(map.distance(79.5, v, bin) == exactly(farthest));
     }
-    CHECK(map.distance(79.5 + 20., v, 0) == farthest);
+    CHECK(map.distance(79.5 + 20., v, 0) == exactly(farthest));
   }
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("each orientation falls into its bin", "[distance-map]")
     for (double along = -40.; along <= 40.; along += 5.) {
       INFO(k << " at " << along);
       CHECK(map.distance(80. - along * ny, 60. + along * nx, vpOrientedDistanceMap::bin(nx, ny)) <= 3.);
-      CHECK(map.distance(80. - along * ny, 60. + along * nx, vpOrientedDistanceMap::bin(-ny, nx)) == farthest);
+      CHECK(map.distance(80. - along * ny, 60. + along * nx, vpOrientedDistanceMap::bin(-ny, nx)) == exactly(farthest));
     }
   }
 }
@@ -138,12 +138,12 @@ TEST_CASE("outside the region there are no edges, inside they are as in the whol
   for (double u = 55.; u < 90.; u += 1.) {
     // The disc is cut off above and below: its sides are far from the region's border.
     for (int bin = 0; bin < 8; bin += 4) {
-      CHECK(part.distance(u, 61., bin) == whole.distance(u, 61., bin));
+      CHECK(part.distance(u, 61., bin) == exactly(whole.distance(u, 61., bin)));
     }
   }
   CHECK(part.distance(37., 61., 0) < 3.);
-  CHECK(part.distance(18., 61., 0) == farthest);
-  CHECK(part.distance(70., 28., 4) == farthest);
+  CHECK(part.distance(18., 61., 0) == exactly(farthest));
+  CHECK(part.distance(70., 28., 4) == exactly(farthest));
 
   part.compute(shot.frame, vpImageRegion(-2147483647, -50, 2147483647, 2147483647));
   CHECK(part.width() == 0);
@@ -157,7 +157,7 @@ TEST_CASE("outside the region there are no edges, inside they are as in the whol
     CHECK(part.width() == 0);
     CHECK(part.height() == 0);
     CHECK(part.edgeCount() == 0);
-    CHECK(part.distance(37., 61., 0) == farthest);
+    CHECK(part.distance(37., 61., 0) == exactly(farthest));
     vpImage<unsigned char> drawn;
     part.draw(-1, drawn);
     CHECK(drawn.getSize() == 0);
@@ -165,10 +165,10 @@ TEST_CASE("outside the region there are no edges, inside they are as in the whol
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double u : {nan, infinity, -infinity, 1e300, -1e300, -0.6, 163.6}) {
-    CHECK(whole.distance(u, 61., 0) == farthest);
-    CHECK(whole.distance(61., u, 0) == farthest);
+    CHECK(whole.distance(u, 61., 0) == exactly(farthest));
+    CHECK(whole.distance(61., u, 0) == exactly(farthest));
   }
-  CHECK(vpOrientedDistanceMap().distance(5., 5., 3) == farthest);
+  CHECK(vpOrientedDistanceMap().distance(5., 5., 3) == exactly(farthest));
 }
 
 TEST_CASE("a second map allocates nothing", "[distance-map]")

@@ -76,8 +76,8 @@ TEST_CASE("Behind the camera the rows stay and count for nothing", "[point-cue]"
   m.follower.cue.residuals(vpHomogeneousMatrix(0., 0., -1., 0., 0., 0.), m.follower.block);
   CHECK(m.follower.block.rows.size() == 2 * m.follower.found());
   for (const vpResidual &row : m.follower.block.rows) {
-    CHECK(row.weight == 0.);
-    CHECK(row.error == 0.);
+    CHECK(row.weight == exactly(0.));
+    CHECK(row.error == exactly(0.));
   }
 }
 
@@ -117,8 +117,8 @@ TEST_CASE("Features are where points were found, with the state of their rows", 
   std::size_t lost = 0;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const vpPointCue::Match &match = m.follower.cue.matches()[i];
-    CHECK(features[i].u == match.pixel.x());
-    CHECK(features[i].v == match.pixel.y());
+    CHECK(features[i].u == exactly(match.pixel.x()));
+    CHECK(features[i].v == exactly(match.pixel.y()));
     const vpFeatureState good = found == 2 ? vpFeatureState::OUTLIER : vpFeatureState::GOOD;
     CHECK(features[i].state == (match.found ? good : vpFeatureState::CONTRAST));
     found += match.found ? 1 : 0;

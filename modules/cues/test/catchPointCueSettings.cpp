@@ -58,9 +58,9 @@ TEST_CASE("The parameters of ViSP's tracker are taken over and obeyed", "[point-
   settings.set(Klt());
   CHECK(settings.maxFeatures == 60);
   CHECK(settings.windowSize == 9);
-  CHECK(settings.quality == 0.05);
-  CHECK(settings.minDistance == 12.);
-  CHECK(settings.harris == 0.03);
+  CHECK(settings.quality == exactly(0.05));
+  CHECK(settings.minDistance == exactly(12.));
+  CHECK(settings.harris == exactly(0.03));
   CHECK(settings.blockSize == 5);
   CHECK(settings.pyramidLevels == 2);
   Klt bad;

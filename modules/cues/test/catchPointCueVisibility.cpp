@@ -146,7 +146,7 @@ TEST_CASE("What passes before the object takes its points away, and gives them b
     for (const vpPointCue::Match &match : follower.cue.matches()) {
       if (match.found && isInside(match, 0, 0, 158, 240)) {
         ++byChance;
-        CHECK(follower.weights[row] * follower.weights[row + 1] == 0.);
+        CHECK(follower.weights[row] * follower.weights[row + 1] == exactly(0.));
       }
       row += match.found ? 2 : 0;
     }

@@ -33,9 +33,9 @@ vpImage<vpRGBa> cropped(const vpImage<vpRGBa> &I, unsigned int columns, unsigned
 
 void checkNothing(const vpSurfaceMemory::Agreement &agreement)
 {
-  CHECK(agreement.correlation == 0.);
-  CHECK(agreement.known == 0.);
-  CHECK(agreement.texture == 0.);
+  CHECK(agreement.correlation == exactly(0.));
+  CHECK(agreement.known == exactly(0.));
+  CHECK(agreement.texture == exactly(0.));
 }
 } // namespace
 
@@ -89,7 +89,7 @@ TEST_CASE("Sides that were never seen are not known", "[surface-memory]")
   across *= M_PI / across.norm();
   checkNothing(box.memory.agreement(truth * vpHomogeneousMatrix(0., 0., 0., across.x(), across.y(), across.z())));
   box.memory.reset();
-  CHECK(box.memory.texture() == 0.);
+  CHECK(box.memory.texture() == exactly(0.));
   checkNothing(box.memory.agreement(truth));
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("Gray images do as well, and another kind of image begins anew", "[sur
   const vpImage<unsigned char> grays = grayOf(colors);
   box.learnAt(truth);
   box.show(grays);
-  CHECK(box.memory.texture() == 0.);
+  CHECK(box.memory.texture() == exactly(0.));
   checkNothing(box.memory.agreement(truth));
   box.memory.learn(truth, nullptr);
   box.show(grayOf(box.scene.draw(halfTurn, box.paint)));
@@ -156,7 +156,7 @@ TEST_CASE("Images of odd and of tiny sizes", "[surface-memory]")
   CHECK(box.correlation(truth) > 0.98);
   for (const unsigned int size : {1U, 2U, 3U}) {
     box.show(cropped(I, size, size));
-    CHECK(box.memory.agreement(truth).known == 0.);
+    CHECK(box.memory.agreement(truth).known == exactly(0.));
     box.memory.learn(truth, nullptr);
   }
   box.show(I);
@@ -168,7 +168,7 @@ TEST_CASE("Without places nothing is remembered", "[surface-memory]")
   Remembered box;
   box.memory.setSamples({});
   box.learnAt(truth);
-  CHECK(box.memory.texture() == 0.);
+  CHECK(box.memory.texture() == exactly(0.));
   checkNothing(box.memory.agreement(truth));
 }
 
@@ -224,10 +224,10 @@ TEST_CASE("The memory goes back to what it knew before", "[surface-memory]")
   box.show(I);
   REQUIRE(box.correlation(truth) < correlation - 0.2);
   const double now = box.correlation(truth);
-  CHECK(box.memory.agreement(truth, before).correlation == correlation);
-  CHECK(box.correlation(truth) == now); // Asking changes nothing.
+  CHECK(box.memory.agreement(truth, before).correlation == exactly(correlation));
+  CHECK(box.correlation(truth) == exactly(now)); // Asking changes nothing.
   box.memory.setReference(before);
-  CHECK(box.correlation(truth) == correlation);
+  CHECK(box.correlation(truth) == exactly(correlation));
 
   // Not to what gray images told, nor to other places.
   Remembered gray;
@@ -235,12 +235,12 @@ TEST_CASE("The memory goes back to what it knew before", "[surface-memory]")
   gray.memory.learn(truth, nullptr);
   const double texture = gray.memory.texture();
   CHECK(texture > 0.);
-  CHECK(gray.memory.agreement(truth, before).known == 0.);
+  CHECK(gray.memory.agreement(truth, before).known == exactly(0.));
   gray.memory.setReference(before);
-  CHECK(gray.memory.texture() == texture);
+  CHECK(gray.memory.texture() == exactly(texture));
   CHECK(gray.memory.reference().channels == 1);
   gray.memory.setSamples(vpSampleSurface(colorScenes::makeBox(), 20));
-  CHECK(gray.memory.agreement(truth, before).known == 0.);
+  CHECK(gray.memory.agreement(truth, before).known == exactly(0.));
   gray.memory.setReference(before);
   CHECK(gray.memory.reference().weights.size() != before.weights.size());
 }

@@ -5,6 +5,7 @@
 #include "modelShapes.h"
 
 #include <visp3/core/vpExponentialMap.h>
+#include <visp3/se3/vpExactNumber.h>
 #include <visp3/core/vpImageConvert.h>
 #include <visp3/cues/vpColorCue.h>
 #include <visp3/cues/vpFrameSource.h>
@@ -148,7 +149,7 @@ private:
   {
     const int index = m_rendered.index(u, v);
     const double z = index < 0 ? 0. : static_cast<double>(m_rendered.depth[static_cast<std::size_t>(index)]);
-    if (z == 0.) {
+    if (vpIsZero(z)) {
       return paint.background((u + 0.5) / fineness - 0.5, (v + 0.5) / fineness - 0.5);
     }
     const vpCameraParameters cam = fineCamera();

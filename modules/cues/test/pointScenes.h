@@ -5,6 +5,7 @@
 #include <modelShapes.h>
 
 #include <visp3/core/vpExponentialMap.h>
+#include <visp3/se3/vpExactNumber.h>
 #include <visp3/cues/vpFrameSource.h>
 #include <visp3/cues/vpPointCue.h>
 #include <visp3/model/vpCpuRenderer.h>
@@ -109,7 +110,7 @@ private:
   {
     const int at = m_view.index(u, v);
     const double depth = at < 0 ? 0. : static_cast<double>(m_view.depth[static_cast<std::size_t>(at)]);
-    if (depth == 0.) {
+    if (vpIsZero(depth)) {
       return 60. + 80. * marble(Eigen::Vector3d(u, v, 0.5), 24.);
     }
     const double x = depth * (u - fine.get_u0()) * fine.get_px_inverse();

@@ -172,7 +172,7 @@ TEST_CASE("A cylinder hides and has limbs, no creases")
   const vpTrackedModel model = builder.build("cylinder");
   REQUIRE(model.cylinders().size() == 1);
   const vpModelCylinder &cylinder = model.cylinders()[0];
-  CHECK(cylinder.radius == 0.05);
+  CHECK(cylinder.radius == exactly(0.05));
   CHECK(cylinder.axis[1].isApprox(Point(0, 0, 0.3)));
   const vpModelFace &mantle = model.faces()[static_cast<std::size_t>(cylinder.face)];
   CHECK_FALSE(mantle.planar);

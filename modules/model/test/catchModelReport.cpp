@@ -96,7 +96,7 @@ TEST_CASE("Units, polygons and a mesh together, and sizes that are not believed"
   const vpTrackedModel cube = builder.build("cube");
   CHECK(cube.isConvex());
   CHECK(cube.boxMax().isApprox(0.5 * cubeSize));
-  CHECK(cube.report().unit == 0.001);
+  CHECK(cube.report().unit == exactly(0.001));
   builder.addLine(Point(0.05, 0.05, 0.05), Point(0.1, 0.1, 0.1));
   const vpTrackedModel both = builder.build("cube and line");
   CHECK(both.vertices().size() == 9);

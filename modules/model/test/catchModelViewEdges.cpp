@@ -123,7 +123,7 @@ TEST_CASE("Normals are perpendicular to the edges, and silhouettes' point away f
     double least = 1.;
     for (const vpControlPoint &point : view.points()) {
       CHECK(std::fabs(point.normal.norm() - 1.) < 1e-12);
-      CHECK(std::fabs(point.side) == 1.);
+      CHECK(std::fabs(point.side) == exactly(1.));
       if (point.kind == vpEdgeKind::SILHOUETTE) {
         least = std::min(least, point.normal.dot((point.pixel - centre).normalized()));
       }

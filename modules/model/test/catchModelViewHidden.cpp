@@ -202,7 +202,7 @@ TEST_CASE("A view knows its pose, and its depth where it had to draw it")
     letter.look(cMo);
     for (unsigned int i = 0; i < 4; ++i) {
       for (unsigned int j = 0; j < 4; ++j) {
-        CHECK(letter.view().pose()[i][j] == cMo[i][j]);
+        CHECK(letter.view().pose()[i][j] == exactly(cMo[i][j]));
       }
     }
     REQUIRE(letter.view().depth() != nullptr);

@@ -58,8 +58,8 @@ vpTrackedModel everything()
 bool same(const vpControlPoint &a, const vpControlPoint &b)
 {
   return a.position == b.position && a.direction == b.direction && a.pixel == b.pixel && a.normal == b.normal &&
-         a.kind == b.kind && a.slides == b.slides && a.side == b.side && a.contour == b.contour &&
-         a.arcLength == b.arcLength && a.edge == b.edge && a.parameter == b.parameter;
+         a.kind == b.kind && a.slides == b.slides && a.side == exactly(b.side) && a.contour == b.contour &&
+         a.arcLength == exactly(b.arcLength) && a.edge == b.edge && a.parameter == exactly(b.parameter);
 }
 
 bool same(const std::vector<vpControlPoint> &a, const std::vector<vpControlPoint> &b)

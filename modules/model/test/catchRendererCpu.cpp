@@ -51,10 +51,10 @@ TEST_CASE("A square that faces the camera has its depth and exactly its pixels",
   CHECK(coveredPixels(view) == 120 * 120);
   CHECK(depthAt(view, 260, 180) == Approx(0.5).epsilon(1e-6));
   CHECK(depthAt(view, 379, 299) == Approx(0.5).epsilon(1e-6));
-  CHECK(depthAt(view, 259, 240) == 0.);
-  CHECK(depthAt(view, 380, 240) == 0.);
-  CHECK(depthAt(view, 320, 179) == 0.);
-  CHECK(depthAt(view, 320, 300) == 0.);
+  CHECK(depthAt(view, 259, 240) == exactly(0.));
+  CHECK(depthAt(view, 380, 240) == exactly(0.));
+  CHECK(depthAt(view, 320, 179) == exactly(0.));
+  CHECK(depthAt(view, 320, 300) == exactly(0.));
   CHECK(view.left == 258);
   CHECK(view.top == 178);
   CHECK(view.width == 125);
@@ -182,7 +182,7 @@ TEST_CASE("What is closer than the near plane is cut away", "[renderer]")
     CHECK(static_cast<double>(nearest) == Approx(nearDistance > 0.3 ? 60. / 171. : 60. / 239.).epsilon(1e-5));
     // It ends 2.5 m ahead, 24 rows below the horizon.
     CHECK(depthAt(view, 320, 270) == Approx(2.).epsilon(1e-5));
-    CHECK(depthAt(view, 320, 260) == 0.);
+    CHECK(depthAt(view, 320, 260) == exactly(0.));
   }
 }
 

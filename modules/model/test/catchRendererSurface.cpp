@@ -46,7 +46,7 @@ TEST_CASE("Normals are of unit length, look at the camera and follow the surface
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
       const std::size_t i = static_cast<std::size_t>(row * view.width + column);
-      if (view.depth[i] == 0.F) {
+      if (view.depth[i] == exactly(0.F)) {
         CHECK(view.normal[i].isZero());
         continue;
       }

@@ -22,7 +22,8 @@ vpTrackedModel printedSheet(const std::vector<Print> &prints, unsigned char grou
 bool same(const std::vector<vpTextureEdge> &a, const std::vector<vpTextureEdge> &b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const vpTextureEdge &p, const vpTextureEdge &q) {
-    return p.position == q.position && p.normal == q.normal && p.contrast == q.contrast && p.clearance == q.clearance;
+    return p.position == q.position && p.normal == q.normal && p.contrast == exactly(q.contrast) &&
+           p.clearance == exactly(q.clearance);
   });
 }
 

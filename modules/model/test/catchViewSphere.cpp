@@ -27,7 +27,8 @@ public:
 bool isSame(const vpSphereViewPoint &point, const vpControlPoint &control)
 {
   return point.position == control.position.cast<float>() && point.direction == control.direction.cast<float>() &&
-         point.side == static_cast<float>(control.side) && point.silhouette == (control.kind == vpEdgeKind::SILHOUETTE);
+         point.side == exactly(static_cast<float>(control.side)) &&
+         point.silhouette == (control.kind == vpEdgeKind::SILHOUETTE);
 }
 
 //! For each point of a view, the place in a list of the control point that it is; the list's size where it is none.

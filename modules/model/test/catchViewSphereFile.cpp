@@ -46,7 +46,7 @@ std::size_t countMade(const vpViewSphere &sphere)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; i < sphere.size(); ++i) {
-    count += sphere.isMade(i) ? 1 : 0;
+    count += sphere.isMade(i) ? 1U : 0U;
   }
   return count;
 }

@@ -24,7 +24,7 @@ TEST_CASE("A sphere that sees nothing has empty views")
     CHECK((sphere.view(i).size() == 0) == (sphere.directionOf(i).z() <= std::cos(30. * M_PI / 180.)));
     CHECK(sphere.isMade(i));
     CHECK(isSame(sphere.view(i), sphere.view(i)));
-    empty += sphere.view(i).size() == 0 ? 1 : 0;
+    empty += sphere.view(i).size() == 0 ? 1U : 0U;
   }
   CHECK(empty > 140);
   CHECK(empty < 162);

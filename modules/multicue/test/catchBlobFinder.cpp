@@ -106,7 +106,7 @@ TEST_CASE("The smallest windows are two cells wide", "[blob-finder]")
   const std::vector<vpBlob> blobs = found(square(96, 96, 40), 1.);
   REQUIRE(blobs.size() == 4);
   for (const vpBlob &blob : blobs) {
-    CHECK(blob.size == 16.);
+    CHECK(blob.size == exactly(16.));
     CHECK(blob.contrast > 0.);
     CHECK(std::fabs(blob.u - 116.) <= 28.);
     CHECK(std::fabs(blob.v - 116.) <= 28.);

@@ -78,7 +78,7 @@ TEST_CASE("From five degrees and a fiftieth of the diameter off, edges lead to t
   behind.translation().z() = -0.5;
   const Eigen::Isometry3d before = behind;
   CHECK_FALSE(aligner.stepByEdges(behind));
-  CHECK((behind.matrix() - before.matrix()).norm() == 0.);
+  CHECK((behind.matrix() - before.matrix()).norm() == exactly(0.));
 }
 
 TEST_CASE("The true pose stays where it is", "[contour-aligner]")

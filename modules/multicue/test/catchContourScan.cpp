@@ -98,11 +98,11 @@ TEST_CASE("What is behind the camera or too large to see is not found, without h
   CHECK(scene.scan.find(inTheMiddle()).share > 0.5);
   Eigen::Isometry3d pose = inTheMiddle();
   pose.translation().z() = -0.6;
-  CHECK(scene.scan.find(pose).share == 0.);
+  CHECK(scene.scan.find(pose).share == exactly(0.));
   pose.translation().z() = 1e-6;
   CHECK(scene.scan.find(pose).share < 0.1);
   pose.translation().z() = std::numeric_limits<double>::quiet_NaN();
-  CHECK(scene.scan.find(pose).share == 0.);
+  CHECK(scene.scan.find(pose).share == exactly(0.));
 }
 
 TEST_CASE("Of an object that is taken for smaller hardly any point counts, and of none are there too many cells",
@@ -125,7 +125,7 @@ TEST_CASE("Of an object that is taken for smaller hardly any point counts, and o
   }
   scene.scan.setImage(scene.edges, scene.camera, scene.width, scene.height, radiusIn(scene));
   const vpContourScan::Find after = scene.scan.find(inTheMiddle());
-  CHECK(after.share == before.share);
-  CHECK(after.u == before.u);
-  CHECK(after.v == before.v);
+  CHECK(after.share == exactly(before.share));
+  CHECK(after.u == exactly(before.u));
+  CHECK(after.v == exactly(before.v));
 }

@@ -107,8 +107,8 @@ TEST_CASE("All half turns of a pose are about its middle", "[half-turns]")
   const std::vector<vpHomogeneousMatrix> all = halfTurnsOf(turnedBox(Eigen::Matrix3d::Identity())).turned(expected);
   REQUIRE(all.size() >= 3);
   for (const vpHomogeneousMatrix &cMo : all) {
-    const Eigen::Isometry3d other = vpPoseExponential::toEigen(cMo);
-    CHECK(Eigen::AngleAxisd(pose.linear().transpose() * other.linear()).angle() == Approx(M_PI));
-    CHECK((other * centre - pose * centre).norm() < 1e-9);
+    const Eigen::Isometry3d turned = vpPoseExponential::toEigen(cMo);
+    CHECK(Eigen::AngleAxisd(pose.linear().transpose() * turned.linear()).angle() == Approx(M_PI));
+    CHECK((turned * centre - pose * centre).norm() < 1e-9);
   }
 }

@@ -31,7 +31,8 @@ TEST_CASE("Nothing is known before a first frame, and after a reset", "[inertia]
 {
   vpInertia inertia;
   const auto isUnknown = [&inertia] {
-    return !inertia.isPredicted() && !inertia.isLeftBy(stateAt(20).cMo) && inertia.penalty(stateAt(20).cMo) == 0.;
+    return !inertia.isPredicted() && !inertia.isLeftBy(stateAt(20).cMo) &&
+           inertia.penalty(stateAt(20).cMo) == exactly(0.);
   };
   predict(inertia, 1);
   CHECK(isUnknown());

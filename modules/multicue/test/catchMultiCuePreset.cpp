@@ -68,7 +68,7 @@ std::vector<vpHomogeneousMatrix> follow(vpMbMultiCueTracker &tracker)
 void checkSame(vpMbMultiCueTracker &a, vpMbMultiCueTracker &b)
 {
   CHECK(a.getTrackerType() == b.getTrackerType());
-  CHECK(a.getSearchBudget() == b.getSearchBudget());
+  CHECK(a.getSearchBudget() == exactly(b.getSearchBudget()));
   const std::vector<vpHomogeneousMatrix> posesOfA = follow(a);
   const std::vector<vpHomogeneousMatrix> posesOfB = follow(b);
   for (std::size_t i = 0; i < posesOfA.size(); ++i) {
@@ -180,7 +180,7 @@ TEST_CASE("A tracker is robust by default, also with gray images", "[preset]")
   vpMbMultiCueTracker tracker;
   CHECK(tracker.getPreset() == Preset::ROBUST);
   CHECK(tracker.getTrackerType() == all);
-  CHECK(tracker.getSearchBudget() == 33.);
+  CHECK(tracker.getSearchBudget() == exactly(33.));
   CHECK(tracker.getColorSettings() == vpColorCueSettings());
   CHECK_FALSE(tracker.getParticleSettings().enabled);
   follow(tracker);
@@ -190,7 +190,7 @@ TEST_CASE("A tracker is robust by default, also with gray images", "[preset]")
   tracker.resetTracker();
   CHECK(tracker.getPreset() == Preset::ROBUST);
   CHECK(tracker.getTrackerType() == all);
-  CHECK(tracker.getSearchBudget() == 33.);
+  CHECK(tracker.getSearchBudget() == exactly(33.));
   CHECK(tracker.getParticleSettings().enabled); // Settings stay.
   CHECK_NOTHROW(follow(tracker));
 }
@@ -216,7 +216,7 @@ TEST_CASE("A preset in a program has the settings that it has in a file", "[pres
       CHECK(one->getPoseHypothesisSettings() == expected.hypotheses);
       CHECK(one->getParticleSettings() == expected.particles);
       CHECK(one->getColorSettings() == expected.color);
-      CHECK(one->getSearchBudget() == expected.searchBudget);
+      CHECK(one->getSearchBudget() == exactly(expected.searchBudget));
     }
     follow(tracker);
   }
@@ -235,7 +235,7 @@ TEST_CASE("Cues of a new tracker's own are those alone", "[preset]")
   checkSame(configured, other);
   configured.resetTracker();
   CHECK(configured.getTrackerType() == (edge | color));
-  CHECK(configured.getSearchBudget() == 0.);
+  CHECK(configured.getSearchBudget() == exactly(0.));
 }
 
 TEST_CASE("What was asked for stays when a new tracker gets its cues", "[preset]")
@@ -243,12 +243,12 @@ TEST_CASE("What was asked for stays when a new tracker gets its cues", "[preset]
   vpMbMultiCueTracker tracker;
   tracker.setSearchBudget(40.);
   tracker.setTrackerType(edge);
-  CHECK(tracker.getSearchBudget() == 40.);
+  CHECK(tracker.getSearchBudget() == exactly(40.));
   vpMbMultiCueTracker configured;
   load(configured, "settings.json", R"({"searchBudget": 33, "search": true, "prediction": {"enabled": true}})");
   CHECK(configured.getPreset() == Preset::ROBUST);
   configured.setTrackerType(edge | color);
-  CHECK(configured.getSearchBudget() == 33.);
+  CHECK(configured.getSearchBudget() == exactly(33.));
   vpMbMultiCueTracker given(1, edge | color);
   given.setPrediction(true);
   given.setSearch(true);
@@ -263,7 +263,7 @@ TEST_CASE("Cues after a preset that was asked for change nothing else", "[preset
   tracker.setTrackerType(edge);
   CHECK_FALSE(tracker.getPreset());
   CHECK(tracker.getTrackerType() == edge);
-  CHECK(tracker.getSearchBudget() == 33.);
+  CHECK(tracker.getSearchBudget() == exactly(33.));
   tracker.setPreset(Preset::TEULIERE2010);
   tracker.setTrackerType(edge | color);
   CHECK(tracker.getPoseHypothesisSettings().enabled);
@@ -279,10 +279,10 @@ TEST_CASE("ViSP's files leave preset and cues as they are", "[preset]")
   load(tracker, "settings.xml", xml);
   CHECK(tracker.getPreset() == Preset::ROBUST);
   CHECK(tracker.getTrackerType() == all);
-  CHECK(tracker.getSearchBudget() == 33.);
-  CHECK(tracker.getEdgeSettings().range == 9.);
+  CHECK(tracker.getSearchBudget() == exactly(33.));
+  CHECK(tracker.getEdgeSettings().range == exactly(9.));
   tracker.setTrackerType(edge);
-  CHECK(tracker.getSearchBudget() == 0.);
+  CHECK(tracker.getSearchBudget() == exactly(0.));
   load(tracker, "settings.xml", xml);
   CHECK(tracker.getTrackerType() == edge);
   tracker.setPreset(Preset::TEULIERE2010);

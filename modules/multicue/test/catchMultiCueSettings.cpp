@@ -100,7 +100,7 @@ TEST_CASE("The search has a budget")
 {
   CHECK(vpIsSame(readJson(R"({"search": {"budget": 33.5}})").searchBudget, 33.5));
   CHECK(vpIsSame(readJson(R"({"searchBudget": 33.5})").searchBudget, 33.5)); // As older files have it.
-  CHECK(readJson("{}", unusual()).searchBudget == unusual().searchBudget);
+  CHECK(readJson("{}", unusual()).searchBudget == exactly(unusual().searchBudget));
   for (const std::string value : {"-1", "10001", R"("33")", "null", "{}"}) {
     CHECK_THAT(refusedJson("{\"searchBudget\": " + value + "}"), ContainsSubstring("search.budget"));
   }

@@ -150,12 +150,12 @@ TEST_CASE("The threshold is in the scale that the file names")
   CHECK(contrast("<edge_threshold_type>1</edge_threshold_type><edge_threshold>20.5</edge_threshold>") == Approx(20.5));
   CHECK(contrast("<edge_threshold>20.5</edge_threshold><edge_threshold_type>1</edge_threshold_type>", "3") ==
         Approx(20.5));
-  CHECK(contrast("<edge_threshold_type>1</edge_threshold_type>") == unusual().edge.contrast);
+  CHECK(contrast("<edge_threshold_type>1</edge_threshold_type>") == exactly(unusual().edge.contrast));
 }
 
 TEST_CASE("Deprecated nodes are read")
 {
-  CHECK(readXml("<sample><step>5</step><nb_sample>250</nb_sample></sample>").view.sampleStep == 5.);
+  CHECK(readXml("<sample><step>5</step><nb_sample>250</nb_sample></sample>").view.sampleStep == exactly(5.));
 }
 
 TEST_CASE("Nodes that are not known are named with file, line, parent and what is known there")
@@ -269,16 +269,16 @@ TEST_CASE("The files that come with ViSP's images are read")
     return vpMultiCueSettingsReader::read(images + '/' + name, vpMultiCueSettings());
   };
   const vpMultiCueSettings cube = readImage("mbt/cube.xml");
-  CHECK(cube.camera.get_px() == 547.7367575);
-  CHECK(cube.edge.range == 7.);
-  CHECK(cube.view.appearAngle == 65.);
-  CHECK(cube.view.farDistance == 0.9);
+  CHECK(cube.camera.get_px() == exactly(547.7367575));
+  CHECK(cube.edge.range == exactly(7.));
+  CHECK(cube.view.appearAngle == exactly(65.));
+  CHECK(cube.view.farDistance == exactly(0.9));
   CHECK(cube.klt.maxFeatures == 300);
   const vpMultiCueSettings castle = readImage("mbt-depth/Castle-simu/Config/chateau.xml");
-  CHECK(castle.view.sampleStep == 5.);
-  CHECK(castle.klt.harris == 0.02);
-  CHECK(castle.view.disappearAngle == 89.);
-  CHECK(readImage("mbt-depth/castel/chateau.xml").view.sampleStep == 5.); // A sample node at the top.
+  CHECK(castle.view.sampleStep == exactly(5.));
+  CHECK(castle.klt.harris == exactly(0.02));
+  CHECK(castle.view.disappearAngle == exactly(89.));
+  CHECK(readImage("mbt-depth/castel/chateau.xml").view.sampleStep == exactly(5.)); // A sample node at the top.
   vpMultiCueSettings depth;
   depth.camera.initPersProjWithoutDistortion(700., 700., 320., 240.);
   depth.view.appearAngle = 85.;
@@ -286,5 +286,5 @@ TEST_CASE("The files that come with ViSP's images are read")
   depth.view.farDistance = 2.;
   depth.clipToImage = true;
   CHECK(readImage("mbt-depth/Castle-simu/Config/chateau_depth.xml") == depth);
-  CHECK(readImage("mbt-depth/castel/chateau_depth.xml").view.disappearAngle == 80.);
+  CHECK(readImage("mbt-depth/castel/chateau_depth.xml").view.disappearAngle == exactly(80.));
 }

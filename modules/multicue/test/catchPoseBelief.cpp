@@ -72,7 +72,7 @@ TEST_CASE(
   CHECK(followed(30, 0.73) < 0.5);
   CHECK(followed(30, 0.9) > 0.97);
   CHECK(followed(8, 0.) > 0.8);
-  CHECK(followed(8, 0.) == followed(8, 0.6));
+  CHECK(followed(8, 0.) == exactly(followed(8, 0.6)));
 }
 
 TEST_CASE("The belief stays a probability that can be turned", "[pose-belief]")
@@ -100,5 +100,5 @@ TEST_CASE("A loss has to be made good", "[pose-belief]")
   CHECK(belief.probability() <= 0.6);
   belief = begunWith(0.2);
   belief.doubt();
-  CHECK(belief.probability() == 0.2);
+  CHECK(belief.probability() == exactly(0.2));
 }

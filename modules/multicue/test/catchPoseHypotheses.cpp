@@ -112,8 +112,8 @@ TEST_CASE("The poses do not depend on the number of threads", "[hypotheses]")
       REQUIRE(found.size() == expected[i].size());
       for (std::size_t k = 0; k < found.size(); ++k) {
         CHECK(isSame(found[k].cMo, expected[i][k].cMo));
-        CHECK(found[k].residue == expected[i][k].residue);
-        CHECK(found[k].weight == expected[i][k].weight);
+        CHECK(found[k].residue == exactly(expected[i][k].residue));
+        CHECK(found[k].weight == exactly(expected[i][k].weight));
         CHECK(found[k].classes == expected[i][k].classes);
       }
     }

@@ -49,7 +49,7 @@ struct Judged : BoxScene
 
 bool isSame(const vpPoseCandidate &a, const vpPoseCandidate &b)
 {
-  return a.score == b.score && std::equal(a.cMo.data, a.cMo.data + 16, b.cMo.data);
+  return a.score == exactly(b.score) && std::equal(a.cMo.data, a.cMo.data + 16, b.cMo.data);
 }
 } // namespace
 
@@ -57,7 +57,7 @@ TEST_CASE("The true pose scores best", "[pose-score]")
 {
   Judged scene;
   const vpPoseScore::Value best = scene.score(truth);
-  CHECK(best.inside == 1.);
+  CHECK(best.inside == exactly(1.));
   CHECK(best.distance < 0.45); // The edges inside the outline are not seen: all sides have one colour.
   CHECK(best.color > 0.8);
   CHECK(best.total > 0.75);
@@ -80,11 +80,11 @@ TEST_CASE("Edges alone and colours alone tell the true pose too", "[pose-score]"
   const vpHomogeneousMatrix wrong = searchScenes::displaced(truth, {1., 1., 0.}, 15., Eigen::Vector3d::Zero());
   scene.score.setImage(&scene.edges, nullptr, nullptr, scene.camera, scene.width, scene.height);
   CHECK(scene.score(truth).total > scene.score(wrong).total + 0.05);
-  CHECK(scene.score(truth).color == 0.);
+  CHECK(scene.score(truth).color == exactly(0.));
   scene.score.setImage(nullptr, &scene.odds, nullptr, scene.camera, scene.width, scene.height);
   CHECK(scene.score(truth).total > scene.score(wrong).total + 0.05);
   scene.score.setImage(nullptr, nullptr, nullptr, scene.camera, scene.width, scene.height);
-  CHECK(scene.score(truth).total == 0.);
+  CHECK(scene.score(truth).total == exactly(0.));
 }
 
 TEST_CASE("A pose with the object outside the image or behind the camera has the lowest score", "[pose-score]")
@@ -96,8 +96,8 @@ TEST_CASE("A pose with the object outside the image or behind the camera has the
   poses[2][1][3] = -5.;
   poses[3][2][3] = std::numeric_limits<double>::quiet_NaN();
   for (const vpHomogeneousMatrix &cMo : poses) {
-    CHECK(scene.score(cMo).total == -1.);
-    CHECK(scene.score(cMo).inside == 0.);
+    CHECK(scene.score(cMo).total == exactly(-1.));
+    CHECK(scene.score(cMo).inside == exactly(0.));
   }
   vpHomogeneousMatrix partly = truth;
   partly[0][3] = 0.3;
@@ -197,7 +197,7 @@ TEST_CASE("Poses near the expected one are likelier than those far from it", "[p
   search.scatter({truth}, {0.1, 0.3, 0.1}, 20);
   search.score();
   search.keepBest(30, {1e-9, 1e-9, 1e-9});
-  CHECK(search.candidates().front().score == 0.);
+  CHECK(search.candidates().front().score == exactly(0.));
   CHECK(differenceOf(search.candidates().front().cMo, truth, *scene.model).degrees < 1e-6);
   CHECK(search.candidates().back().score < -0.01);
 }

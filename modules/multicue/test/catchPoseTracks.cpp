@@ -92,7 +92,7 @@ TEST_CASE("A pose that is followed keeps the least penalty for where it is", "[t
   vpPoseTracks other;
   other.add(at(0.), 1., 0.1, isSame);
   other.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
-  CHECK(moved == other.add(at(0.), 1., 0.1, isSame));
+  CHECK(moved == exactly(other.add(at(0.), 1., 0.1, isSame)));
   tracks.follow(0);
   CHECK(tracks.add(at(0.3), 1., 0.4, isSame) == Approx(moved - 0.3 / 2.)); // It jumped: the mean of two frames.
   tracks.followNone();
@@ -106,11 +106,11 @@ TEST_CASE("One better image does not move a pose that was followed, some on end 
   const double old = tracks.add(at(0.), 0.7, 0., isSame);
   CHECK(tracks.add(at(1.), 0.9, 0., isSame) < old);
   tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
-  CHECK(chosenAt(tracks) == 0.);
+  CHECK(chosenAt(tracks) == exactly(0.));
   REQUIRE(tracks.tracks().size() == 2);
 
   unsigned int frames = 0;
-  for (; frames < 10 && chosenAt(tracks) == 0.; ++frames) {
+  for (; frames < 10 && chosenAt(tracks) == exactly(0.); ++frames) {
     followed(tracks, [](double x) { return x > 0.5 ? 0.9 : 0.7; });
   }
   CHECK(frames >= 1);
@@ -125,7 +125,7 @@ TEST_CASE("A pose that is found from another one goes on as that one", "[pose-tr
   tracks.followNone();
   CHECK(corrected > tracks.add(at(1.), 0.9, 0., isSame)); // A new one.
   tracks.choose(at(0.2), vpPoseTracks::Seen::WELL, isSame);
-  CHECK(chosenAt(tracks) == 0.2);
+  CHECK(chosenAt(tracks) == exactly(0.2));
   CHECK(tracks.tracks().size() == 2);
 
   tracks.follow(at(3.), isSame); // There is none.
@@ -137,8 +137,8 @@ TEST_CASE("A pose that explains nothing ends, others stay up to three, the same 
   vpPoseTracks tracks;
   frame(tracks, {{0., 0.8}, {1., 0.7}, {2., 0.6}, {3., 0.5}, {1.01, 0.65}, {4., 0.1}});
   REQUIRE(tracks.tracks().size() == 3);
-  CHECK(chosenAt(tracks) == 0.);
-  CHECK(tracks.tracks()[1].cMo[0][3] == 1.);
+  CHECK(chosenAt(tracks) == exactly(0.));
+  CHECK(tracks.tracks()[1].cMo[0][3] == exactly(1.));
   followed(tracks, [](double x) { return x > 1.5 ? 0.2 : 0.7; });
   CHECK(tracks.tracks().size() == 2);
 }
@@ -156,7 +156,7 @@ TEST_CASE("A lead over what was looked for counts by the frame", "[pose-tracks]"
     tracks.add(at(0.), 0.7, 0., isSame);
     tracks.add(at(1.), 0.4, 0., isSame);
     tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
-    CHECK(tracks.lead() == 0.);
+    CHECK(tracks.lead() == exactly(0.));
     CHECK(tracks.ahead() == 0);
   }
   SECTION("not where little of the object is seen")
@@ -187,12 +187,12 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
   believed.start(0.9);
   vpPoseTracks tracks;
   tracks.begin(at(0.), at(-0.02), 0.8, believed);
-  CHECK(tracks.chosen().before[0][3] == -0.02);
+  CHECK(tracks.chosen().before[0][3] == exactly(-0.02));
   followFirst(tracks, at(0.02), 0.8);
   tracks.add(at(1.), 0.8, 0., isSame);
   tracks.choose(at(0.02), vpPoseTracks::Seen::WELL, isSame);
   CHECK(tracks.chosen().belief.probability() == Approx(0.9));
-  CHECK(tracks.chosen().before[0][3] == 0.);
+  CHECK(tracks.chosen().before[0][3] == exactly(0.));
   CHECK(tracks.tracks()[1].belief.probability() < 0.5);
   CHECK(tracks.tracks()[1].confirmations == 1);
 }
@@ -201,8 +201,8 @@ TEST_CASE("A pose that was not among the estimated ones is a track of its own", 
 {
   vpPoseTracks tracks = followedFor(3);
   tracks.choose(at(5.), vpPoseTracks::Seen::WELL, isSame);
-  CHECK(chosenAt(tracks) == 5.);
-  CHECK(tracks.lead() == 0.);
+  CHECK(chosenAt(tracks) == exactly(5.));
+  CHECK(tracks.lead() == exactly(0.));
 }
 
 TEST_CASE("Others have to be looked for while enough is seen, and to have some frames", "[pose-tracks]")
@@ -261,7 +261,7 @@ TEST_CASE("What the followed pose explains is known once it was looked at in a f
   CHECK_FALSE(tracks.followedValue() > -1.);
   tracks.add(at(0.), 0.5, 0., isSame);
   tracks.add(at(0.), 0.4, 0., isSame);
-  CHECK(tracks.followedValue() == 0.5);
+  CHECK(tracks.followedValue() == exactly(0.5));
   tracks.followNone();
   CHECK_FALSE(tracks.followedValue() > -1.);
 }
@@ -273,6 +273,6 @@ TEST_CASE("A pose that was worse before it settled contests the first one", "[po
   frame(tracks, {{0., 0.9}, {1., 0.6}});
   CHECK_FALSE(tracks.isContested());
   frame(tracks, {{0., 0.9}, {1., 0.9}});
-  CHECK(tracks.chosen().cMo[0][3] == 0.);
+  CHECK(tracks.chosen().cMo[0][3] == exactly(0.));
   CHECK(tracks.isContested());
 }

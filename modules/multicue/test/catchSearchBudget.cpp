@@ -52,10 +52,10 @@ TEST_CASE("A budget is spent after its time, and whole again in the next frame",
 TEST_CASE("A budget out of range is refused and the last one kept", "[search-budget]")
 {
   vpMbMultiCueTracker tracker(vpMbMultiCueTracker::EDGE_TRACKER);
-  CHECK(tracker.getSearchBudget() == 0.);
+  CHECK(tracker.getSearchBudget() == exactly(0.));
   tracker.setSearchBudget(40.);
   for (const double value : {-1., 10001., std::numeric_limits<double>::quiet_NaN()}) {
     CHECK_THROWS_AS(tracker.setSearchBudget(value), vpException);
-    CHECK(tracker.getSearchBudget() == 40.);
+    CHECK(tracker.getSearchBudget() == exactly(40.));
   }
 }

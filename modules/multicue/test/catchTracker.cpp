@@ -111,7 +111,7 @@ TEST_CASE("Colour images give the poses of gray ones, and the same images the sa
     color.track(Ic);
     CHECK(translationError(color.getPose(), gray.getPose()) < 1e-4);
     for (unsigned int k = 0; k < 16; ++k) {
-      CHECK(again.getPose().data[k] == gray.getPose().data[k]);
+      CHECK(again.getPose().data[k] == exactly(gray.getPose().data[k]));
     }
   }
 }
@@ -141,8 +141,8 @@ TEST_CASE("Degrees of freedom that are not estimated stay, in the object's frame
   const vpColVector moved = vpExponentialMap::inverse(truth.inverse() * tracker.getPose());
   CHECK(std::fabs(moved[2]) < 1e-4);
   CHECK(std::fabs(moved[4]) < 1e-3);
-  CHECK(tracker.getEstimatedDoF()[2] == 0.);
-  CHECK(tracker.getEstimatedDoF()[0] == 1.);
+  CHECK(tracker.getEstimatedDoF()[2] == exactly(0.));
+  CHECK(tracker.getEstimatedDoF()[0] == exactly(1.));
 }
 
 TEST_CASE("The covariance is that of the pose, and nothing is left of a mask", "[tracker]")
@@ -197,7 +197,7 @@ TEST_CASE("What is displayed are the visible edges", "[tracker]")
     for (const std::vector<double> &line :
          tracker.getModelForDisplay(640, 480, renderedBox::pose(), renderedBox::camera(), full)) {
       REQUIRE(line.size() == 5);
-      CHECK(line[0] == 0.);
+      CHECK(line[0] == exactly(0.));
       const vpImagePoint from(line[1], line[2]);
       const vpImagePoint to(line[3], line[4]);
       const auto edge = std::find_if(edges.begin(), edges.end(), [&](const BoxEdge &e) {
@@ -217,8 +217,8 @@ TEST_CASE("What is displayed are the visible edges", "[tracker]")
   CHECK(features.size() > 100);
   for (const std::vector<double> &feature : features) {
     REQUIRE(feature.size() == 4);
-    CHECK(feature[0] == 0.);
-    CHECK(feature[3] == 0.); // vpMeSite::NO_SUPPRESSION: all of them are found here.
+    CHECK(feature[0] == exactly(0.));
+    CHECK(feature[3] == exactly(0.)); // vpMeSite::NO_SUPPRESSION: all of them are found here.
     CHECK(std::any_of(edges.begin(), edges.end(), [&](const BoxEdge &e) {
       return e.isVisible && e.distance(vpImagePoint(feature[1], feature[2])) < 2.;
     }));
@@ -269,12 +269,12 @@ TEST_CASE("Moving-edge parameters are honoured and told in both scales", "[track
   me.setThreshold(42000.);
   tracker.setMovingEdge(me, vpEdgeCueSettings::LIKELIHOOD);
   CHECK(tracker.getEdgeSettings().contrast == Approx(10.)); // 42000 / (2 * 100 * 7 * 3)
-  CHECK(tracker.getEdgeSettings().range == 12.);
-  CHECK(tracker.getMovingEdge().getThreshold() == 42000.);
-  CHECK(tracker.getMovingEdge().getSampleStep() == 6.);
+  CHECK(tracker.getEdgeSettings().range == exactly(12.));
+  CHECK(tracker.getMovingEdge().getThreshold() == exactly(42000.));
+  CHECK(tracker.getMovingEdge().getSampleStep() == exactly(6.));
   me.setThreshold(20.);
   tracker.setMovingEdge(me, vpEdgeCueSettings::CONTRAST);
-  CHECK(tracker.getEdgeSettings().contrast == 20.);
+  CHECK(tracker.getEdgeSettings().contrast == exactly(20.));
   tracker.resetTracker(); // Keeps them, as ViSP's trackers do.
   CHECK(tracker.getMovingEdge().getRange() == 12);
 }

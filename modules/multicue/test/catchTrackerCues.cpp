@@ -85,7 +85,7 @@ unsigned int foundOfShifted(double range, bool isPredicted, double wander = 1.)
   const vpHomogeneousMatrix shifted = vpHomogeneousMatrix(0.01, 0., 0., 0., 0., 0.) * renderedBox::pose();
   const unsigned int found = tracker.found(box.drawColor(shifted));
   CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
-  CHECK(tracker.getEdgeSettings().range == range);
+  CHECK(tracker.getEdgeSettings().range == exactly(range));
   return found;
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("The search range of the prediction leaves the user's range as it is",
     tracker.track(box.drawColor(poseAt(i)));
     CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
     CHECK(error(tracker.getPose(), poseAt(i)) < 0.004);
-    CHECK(tracker.getEdgeSettings().range == range);
+    CHECK(tracker.getEdgeSettings().range == exactly(range));
   }
 }
 

@@ -82,7 +82,7 @@ TEST_CASE("Calls with a map of one camera do what those without do", "[tracker]"
   tracker.setMovingEdge(std::map<std::string, vpMe>{{"Camera", me}});
   CHECK(tracker.getMovingEdge().getRange() == 12);
   tracker.setAngleAppear(std::map<std::string, double>{{"Camera", 1.4}});
-  CHECK(tracker.getAngleAppear() == 1.4);
+  CHECK(tracker.getAngleAppear() == exactly(1.4));
   tracker.setKltMaskBorder(std::map<std::string, unsigned int>{{"Camera", 7}});
   CHECK(tracker.getKltMaskBorder() == 7);
   const std::string model = renderedBox::writeCao(meshFiles::temporaryFile("one-camera-box.cao"));
@@ -101,7 +101,7 @@ TEST_CASE("Calls with a map of one camera do what those without do", "[tracker]"
   CHECK(points["Camera"] == tracker.getNbPoints());
   std::map<std::string, vpCameraParameters> cameras;
   tracker.getCameraParameters(cameras);
-  CHECK(cameras["Camera"].get_px() == 600.);
+  CHECK(cameras["Camera"].get_px() == exactly(600.));
   std::map<std::string, std::vector<vpPolygon>> polygons;
   std::map<std::string, std::vector<std::vector<vpPoint>>> corners;
   tracker.getPolygonFaces(polygons, corners);

@@ -143,7 +143,7 @@ TEST_CASE("The same seed gives the same bits, another one other particles", "[pa
   REQUIRE(first.size() == second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     CHECK(isSame(first[i].cMo, second[i].cMo));
-    CHECK(first[i].weight == second[i].weight);
+    CHECK(first[i].weight == exactly(second[i].weight));
   }
   CHECK_FALSE(isSame(first.front().cMo, other.getParticles().front().cMo));
 }

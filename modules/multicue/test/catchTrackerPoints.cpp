@@ -42,8 +42,8 @@ TEST_CASE("A program of vpMbKltTracker tracks with points and its settings", "[t
   CHECK(tracker.getTrackerType() == klt);
   CHECK(tracker.getKltMaskBorder() == 4);
   CHECK(tracker.getMaskBorder() == 4);
-  CHECK(tracker.getKltThresholdAcceptation() == 0.2);
-  CHECK(tracker.getThresholdAcceptation() == 0.2);
+  CHECK(tracker.getKltThresholdAcceptation() == exactly(0.2));
+  CHECK(tracker.getThresholdAcceptation() == exactly(0.2));
   CHECK(tracker.getKltOpencv().getMaxFeatures() == 60);
   box.follow(tracker, 5);
   CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
@@ -56,7 +56,7 @@ TEST_CASE("A program of vpMbKltTracker tracks with points and its settings", "[t
   CHECK_THROWS_AS(tracker.setKltMaskBorder(101), vpException);
   CHECK_THROWS_AS(tracker.setKltThresholdAcceptation(1.), vpException);
   CHECK(tracker.getKltMaskBorder() == 4);
-  CHECK(tracker.getKltThresholdAcceptation() == 0.2);
+  CHECK(tracker.getKltThresholdAcceptation() == exactly(0.2));
 }
 
 TEST_CASE("Points are told as vpMbGenericTracker tells them", "[tracker]")
@@ -94,12 +94,12 @@ TEST_CASE("Points are told as vpMbGenericTracker tells them", "[tracker]")
   CHECK(2 * tracker.getNbPoints() > tracker.getNbFeaturesEdge());
   std::set<int> shown;
   for (const std::vector<double> &feature : tracker.getFeaturesForDisplay()) {
-    if (feature[0] == 0.) {
+    if (feature[0] == exactly(0.)) {
       CHECK(feature.size() == 4);
       continue;
     }
     REQUIRE(feature.size() == 6);
-    CHECK(feature[0] == 1.);
+    CHECK(feature[0] == exactly(1.));
     CHECK(feature[3] == Approx(feature[1] + 7.));
     const int id = static_cast<int>(feature[5]);
     REQUIRE(points.count(id) == 1);

@@ -428,7 +428,7 @@ TEST_CASE("The same images give the same bits while the object is searched for",
     const vpHomogeneousMatrix b = second.tracker.getPose();
     CHECK(std::equal(a.data, a.data + 16, b.data));
     CHECK(first.tracker.getTrackingState() == second.tracker.getTrackingState());
-    CHECK(first.tracker.getTrackingResult().score == second.tracker.getTrackingResult().score);
+    CHECK(first.tracker.getTrackingResult().score == exactly(second.tracker.getTrackingResult().score));
   }
 }
 

@@ -53,11 +53,11 @@ TEST_CASE("resetTracker keeps camera, moving edges and cues, and the tracker sta
     tracker.resetTracker();
     vpCameraParameters cam;
     tracker.getCameraParameters(cam);
-    CHECK(cam.get_px() == 600.);
+    CHECK(cam.get_px() == exactly(600.));
     CHECK(tracker.getTrackerType() == type);
     CHECK(tracker.getMovingEdge().getRange() == 9);
-    CHECK(tracker.getMovingEdge().getThreshold() == 12000.);
-    CHECK(tracker.getMovingEdge().getSampleStep() == 5.);
+    CHECK(tracker.getMovingEdge().getThreshold() == exactly(12000.));
+    CHECK(tracker.getMovingEdge().getSampleStep() == exactly(5.));
     CHECK(tracker.getKltMaskBorder() == 8);
     CHECK(tracker.getAngleAppear() == Approx(vpMath::rad(89.)));
     CHECK(tracker.getNbPolygon() == 0);
@@ -93,7 +93,7 @@ TEST_CASE("A model that cannot be started leaves the old one", "[tracker]")
     CHECK_THROWS_AS(tracker.reInitModel(I, larger, cMo), vpException);
     CHECK(tracker.getModelReport().size.x() == Approx(0.2));
     CHECK(tracker.getNbPolygon() == 6);
-    CHECK(tracker.getPose()[0][3] == before[0][3]);
+    CHECK(tracker.getPose()[0][3] == exactly(before[0][3]));
   }
   CHECK_THROWS_AS(tracker.reInitModel(vpImage<unsigned char>(), larger, renderedBox::pose()), vpException);
   CHECK_THROWS_AS(tracker.reInitModel(I, "no-such-model.cao", renderedBox::pose()), vpException);
@@ -129,7 +129,7 @@ TEST_CASE("setPose with a detector's wrong pose does not throw, and the tracker 
     REQUIRE_NOTHROW(tracker.setPose(I, cMo));
     CHECK(tracker.getTrackingState() == vpTrackingState::LOST);
     const vpMbTrackingResult result = tracker.getTrackingResult();
-    CHECK(result.score == 0.);
+    CHECK(result.score == exactly(0.));
     CHECK_THAT(result.text, ContainsSubstring(cMo[2][3] < 0. ? "behind the camera" : "outside the image"));
     CHECK(error(tracker.getPose()) < 0.001);
     tracker.track(I);
@@ -161,7 +161,7 @@ TEST_CASE("The projection error is that of vpMbGenericTracker", "[tracker]")
   };
   prepare(tracker);
   prepare(visp);
-  CHECK(tracker.getProjectionError() == 90.);
+  CHECK(tracker.getProjectionError() == exactly(90.));
   // Noise of some gray levels: without it the measure is next to 0.
   vpImage<unsigned char> I = box.draw(renderedBox::pose());
   unsigned int state = 1;
@@ -178,5 +178,5 @@ TEST_CASE("The projection error is that of vpMbGenericTracker", "[tracker]")
   INFO("ViSP " << visp.getProjectionError() << ", this one " << tracker.getProjectionError());
   CHECK(std::fabs(tracker.getProjectionError() - visp.getProjectionError()) < 2.);
   tracker.track(vpImage<unsigned char>(480, 640, 0));
-  CHECK(tracker.getProjectionError() == 90.);
+  CHECK(tracker.getProjectionError() == exactly(90.));
 }

@@ -38,13 +38,14 @@ bool same(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b)
 
 bool same(const vpTrackingTimings &a, const vpTrackingTimings &b)
 {
-  return a.frame == b.frame && a.view == b.view && a.match == b.match && a.pose == b.pose && a.map == b.map &&
-         a.particles == b.particles && a.total == b.total;
+  return a.frame == exactly(b.frame) && a.view == exactly(b.view) && a.match == exactly(b.match) &&
+         a.pose == exactly(b.pose) && a.map == exactly(b.map) && a.particles == exactly(b.particles) &&
+         a.total == exactly(b.total);
 }
 
 bool same(const vpPoseHypothesis &a, const vpPoseHypothesis &b)
 {
-  return same(a.cMo, b.cMo) && a.residue == b.residue && a.weight == b.weight;
+  return same(a.cMo, b.cMo) && a.residue == exactly(b.residue) && a.weight == exactly(b.weight);
 }
 
 // What testTracking() throws; empty where it does not.
@@ -91,7 +92,7 @@ void checkAgainstGetters(vpMbMultiCueTracker &tracker, const vpMbTrackingResult 
     good += cue.good;
   }
   CHECK(types == tracker.getTrackerType());
-  CHECK((expected == 0 ? 0. : static_cast<double>(good) / expected) == tracker.getSupport());
+  CHECK((expected == 0 ? 0. : static_cast<double>(good) / expected) == exactly(tracker.getSupport()));
 }
 } // namespace
 
@@ -109,7 +110,7 @@ TEST_CASE("A result says that there is none before an image was tracked", "[trac
     checkAgainstGetters(tracker, result);
     CHECK(result.reason == Reason::NOT_STARTED);
     CHECK(result.text == "no image was tracked yet");
-    CHECK(result.score == 0.);
+    CHECK(result.score == exactly(0.));
     tracker.track(I); // What it leaves behind is forgotten by the next start.
     CHECK(tracker.getTrackingResult().score > 0.);
   }
@@ -178,7 +179,7 @@ TEST_CASE("A result tells why an image without the object is not believed", "[tr
         checkAgainstGetters(tracker, result);
         CAPTURE(result.text, result.score);
         REQUIRE(result.state == vpTrackingState::LOST);
-        CHECK(result.score == 0.);
+        CHECK(result.score == exactly(0.));
         const bool coasts = predicts && isKnown;
         const Reason seen = type == edge ? Reason::NOTHING_SEEN : Reason::CONTRADICTED;
         CHECK(toString(result.reason) == std::string(toString(coasts ? Reason::COASTING : seen)));

@@ -23,14 +23,14 @@ vpTurnEffect observed(double limit)
 TEST_CASE("An object that was not turned yet may look different after a turn", "[turn-effect]")
 {
   const vpTurnEffect effect;
-  CHECK(effect.variance(0.) == 0.);
+  CHECK(effect.variance(0.) == exactly(0.));
   CHECK(effect.variance(quarter) > 0.3);
   CHECK(effect.variance(0.1) < 0.1 * effect.variance(quarter));
 }
 
 TEST_CASE("Print looks the same from all sides, foil does not", "[turn-effect]")
 {
-  CHECK(observed(0.05).variance(quarter) == 0.);
+  CHECK(observed(0.05).variance(quarter) == exactly(0.));
   CHECK(observed(0.6).variance(M_PI) == Approx(0.6 - 0.12).epsilon(0.1));
   CHECK(observed(0.6).variance(0.35) == Approx(0.5 * (0.6 - 0.12)).epsilon(0.1));
 }
@@ -43,7 +43,7 @@ TEST_CASE("What an object looks like lately counts most", "[turn-effect]")
   }
   CHECK(effect.variance(quarter) < 0.03);
   effect.reset();
-  CHECK(effect.variance(quarter) == vpTurnEffect().variance(quarter));
+  CHECK(effect.variance(quarter) == exactly(vpTurnEffect().variance(quarter)));
 }
 
 TEST_CASE("One frame counts no more than a variance of 1, and none less than 0", "[turn-effect]")
@@ -52,10 +52,10 @@ TEST_CASE("One frame counts no more than a variance of 1, and none less than 0",
   vpTurnEffect most;
   one.observe(quarter, 1.);
   most.observe(quarter, 100.);
-  CHECK(most.variance(quarter) == one.variance(quarter));
+  CHECK(most.variance(quarter) == exactly(one.variance(quarter)));
   vpTurnEffect none;
   vpTurnEffect negative;
   none.observe(quarter, 0.);
   negative.observe(quarter, -1.);
-  CHECK(negative.variance(quarter) == none.variance(quarter));
+  CHECK(negative.variance(quarter) == exactly(none.variance(quarter)));
 }

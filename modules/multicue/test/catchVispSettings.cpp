@@ -62,12 +62,12 @@ TEST_CASE("Of a calibration with two models the one with distortion is taken", "
   for (const std::string &models : {plain + distorted, distorted + plain}) {
     const std::string content = "<root>" + calibration(models) + "</root>";
     const vpCameraParameters cam = read("two.xml", content).camera;
-    CHECK(cam.get_px() == 537.);
-    CHECK(cam.get_py() == 537.5);
-    CHECK(cam.get_u0() == 344.);
-    CHECK(cam.get_v0() == 235.);
-    CHECK(cam.get_kud() == -0.267);
-    CHECK(cam.get_kdu() == 0.308);
+    CHECK(cam.get_px() == exactly(537.));
+    CHECK(cam.get_py() == exactly(537.5));
+    CHECK(cam.get_u0() == exactly(344.));
+    CHECK(cam.get_v0() == exactly(235.));
+    CHECK(cam.get_kud() == exactly(-0.267));
+    CHECK(cam.get_kdu() == exactly(0.308));
     const vpConfigReport report = reportOf("two.xml", content);
     CHECK(report.format == vpConfigReport::Format::CALIBRATION_XML);
     CHECK((report.imageWidth == 640 && report.imageHeight == 480));
@@ -108,10 +108,10 @@ TEST_CASE("Nodes that ViSP 3.7 added are known", "[files]")
       "<edge_min_threshold>10</edge_min_threshold><mu1>0.5</mu1><mu2>0.5</mu2></contrast></ecm>" +
       camera + "</conf>";
   const vpMultiCueSettings settings = read("new.xml", content);
-  CHECK(settings.camera.get_px() == 600.);
-  CHECK(settings.camera.get_py() == 601.);
-  CHECK(settings.edge.range == 7);
-  CHECK(settings.edge.mu1 == 0.5);
+  CHECK(settings.camera.get_px() == exactly(600.));
+  CHECK(settings.camera.get_py() == exactly(601.));
+  CHECK(settings.edge.range == exactly(7));
+  CHECK(settings.edge.mu1 == exactly(0.5));
   const vpConfigReport report = reportOf("new.xml", content);
   CHECK(report.format == vpConfigReport::Format::GENERIC_XML);
   CHECK(namesOf(report.left) == Names{"camera/height", "camera/width", "ecm/contrast/edge_min_threshold",
@@ -127,15 +127,15 @@ TEST_CASE("The JSON of vpMbGenericTracker is read as far as it has the same sett
       "sampleStep": 3.0, "nMask": 180}, "klt": {"maxFeatures": 200, "quality": 0.02}, "dense": {"sampling": {}},
       "angleAppear": 65.0, "angleDisappear": 75.0)");
   const vpMultiCueSettings settings = read("generic.json", content);
-  CHECK(settings.camera.get_px() == 614.9);
-  CHECK(settings.camera.get_v0() == 241.5);
-  CHECK(settings.edge.range == 9);
-  CHECK(settings.edge.contrast == 20.);
-  CHECK(settings.edge.mu2 == 0.6);
-  CHECK(settings.view.sampleStep == 3.);
-  CHECK(settings.view.farDistance == 0.9);
-  CHECK(settings.view.nearDistance == vpMultiCueSettings().view.nearDistance);
-  CHECK(settings.view.disappearAngle == 75.);
+  CHECK(settings.camera.get_px() == exactly(614.9));
+  CHECK(settings.camera.get_v0() == exactly(241.5));
+  CHECK(settings.edge.range == exactly(9));
+  CHECK(settings.edge.contrast == exactly(20.));
+  CHECK(settings.edge.mu2 == exactly(0.6));
+  CHECK(settings.view.sampleStep == exactly(3.));
+  CHECK(settings.view.farDistance == exactly(0.9));
+  CHECK(settings.view.nearDistance == exactly(vpMultiCueSettings().view.nearDistance));
+  CHECK(settings.view.disappearAngle == exactly(75.));
   CHECK(settings.klt.maxFeatures == 200);
   CHECK(settings.cues == 3);
   const vpConfigReport report = reportOf("generic.json", content);
@@ -194,8 +194,8 @@ TEST_CASE("The JSON of vpRBTracker is read as far as it has the same settings", 
       {"maskSize": 5, "range": 5, "threshold": 20, "thresholdType": "normalized"}}, {"type": "silhouetteColor"},
       {"type": "depth"}]})";
   const vpMultiCueSettings settings = read("rbt.json", content);
-  CHECK(settings.camera.get_px() == 614.9);
-  CHECK(settings.edge.range == 5);
+  CHECK(settings.camera.get_px() == exactly(614.9));
+  CHECK(settings.edge.range == exactly(5));
   CHECK(settings.edge.candidates == 3);
   CHECK(settings.cues == 17);
   const vpConfigReport report = reportOf("rbt.json", content);

@@ -29,6 +29,9 @@
 
 #include <visp3/core/vpConfig.h>
 
+#include <functional>
+#include <ostream>
+
 #include <string>
 #include <vector>
 
@@ -64,5 +67,32 @@ int main(int argc, char *argv[])
 }
 
 #endif
+
+// In the namespace of what it is compared with.
+namespace exactNumber {
+//! A number that another one has to be to the last bit: what was handed on, or what arithmetic gives without rounding.
+struct Exactly
+{
+  double value;
+};
+inline bool operator==(double a, const Exactly &b)
+{
+  return std::equal_to<double>()(a, b.value);
+}
+inline bool operator!=(double a, const Exactly &b)
+{
+  return !(a == b);
+}
+inline std::ostream &operator<<(std::ostream &stream, const Exactly &number)
+{
+  return stream << number.value;
+}
+} // namespace exactNumber
+
+//! \return For `CHECK(x == exactly(0.5))`.
+inline exactNumber::Exactly exactly(double value)
+{
+  return {value};
+}
 
 #endif

@@ -39,7 +39,7 @@ TEST_CASE("exp is the matrix exponential and ViSP's map", "[exponential]")
     CAPTURE(xi.transpose());
     const vpHomogeneousMatrix pose = vpPoseExponential::exp(xi);
     CHECK((vpPoseExponential::toEigen(pose).matrix() - seriesOfExp(xi)).cwiseAbs().maxCoeff() < 1e-12);
-    CHECK(maxDifference(pose, vpExponentialMap::direct(toVisp(xi))) == 0.);
+    CHECK(maxDifference(pose, vpExponentialMap::direct(toVisp(xi))) == exactly(0.));
   }
 }
 
@@ -150,8 +150,8 @@ TEST_CASE("Poses go to Eigen and back unchanged", "[exponential]")
   const vpHomogeneousMatrix pose(0.1, 0.2, 0.3, 0.4, -0.5, 0.6);
   const Eigen::Isometry3d same = vpPoseExponential::toEigen(pose);
   CHECK(same.translation() == Eigen::Vector3d(0.1, 0.2, 0.3));
-  CHECK(same.linear()(0, 2) == pose[0][2]);
-  CHECK(maxDifference(vpPoseExponential::fromEigen(same), pose) == 0.);
+  CHECK(same.linear()(0, 2) == exactly(pose[0][2]));
+  CHECK(maxDifference(vpPoseExponential::fromEigen(same), pose) == exactly(0.));
 
   Eigen::Isometry3d scaled = same;
   scaled.linear() *= 1.1;

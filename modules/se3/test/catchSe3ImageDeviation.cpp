@@ -60,7 +60,7 @@ TEST_CASE("A search range is the deviation of the farthest-moving point", "[imag
 TEST_CASE("Points that the camera does not see have no deviation", "[image-deviation]")
 {
   const Eigen::Vector3d behind(0., 0., -2.);
-  CHECK(vpPoseImageDeviation::covariance(cam, vpHomogeneousMatrix(), someCovariance(), behind).norm() == 0.);
-  CHECK(vpPoseImageDeviation::largest(cam, vpHomogeneousMatrix(), someCovariance(), {behind}) == 0.);
-  CHECK(vpPoseImageDeviation::largest(cam, cMo, someCovariance(), {}) == 0.);
+  CHECK(vpPoseImageDeviation::covariance(cam, vpHomogeneousMatrix(), someCovariance(), behind).norm() == exactly(0.));
+  CHECK(vpPoseImageDeviation::largest(cam, vpHomogeneousMatrix(), someCovariance(), {behind}) == exactly(0.));
+  CHECK(vpPoseImageDeviation::largest(cam, cMo, someCovariance(), {}) == exactly(0.));
 }

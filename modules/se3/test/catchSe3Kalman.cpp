@@ -41,7 +41,7 @@ double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b)
 
 bool isSame(const vpPoseKalmanFilter &a, const vpPoseKalmanFilter &b)
 {
-  return maxDifference(a.pose(), b.pose()) == 0. && a.velocity() == b.velocity() &&
+  return maxDifference(a.pose(), b.pose()) == exactly(0.) && a.velocity() == b.velocity() &&
          a.velocityCovariance() == b.velocityCovariance() && a.filtered().covariance == b.filtered().covariance;
 }
 } // namespace
@@ -111,8 +111,8 @@ TEST_CASE("After a long gap the object is expected where it was, and the velocit
   CHECK(distance(filter.predict(1.5).cMo, filter.pose()) < 1e-12);
   const vpHomogeneousMatrix elsewhere(0.4, 0.3, 1.2, -0.5, 0.3, 2.);
   filter.update(elsewhere, exact, 60.);
-  CHECK(maxDifference(filter.pose(), elsewhere) == 0.);
-  CHECK(filter.velocity().norm() == 0.);
+  CHECK(maxDifference(filter.pose(), elsewhere) == exactly(0.));
+  CHECK(filter.velocity().norm() == exactly(0.));
   CHECK(filter.velocityCovariance()(5, 5) == Approx(4.));
   // A gap that is shorter keeps the velocity.
   vpPoseKalmanFilter shorter = following(someVelocity(), 0.03, 10);
@@ -147,12 +147,12 @@ TEST_CASE("Without smoothing the pose is the one observed, and the prediction is
   for (const movingPoses::Sample &sample : movingPoses::wander(calm, 1. / 30., 100, 1)) {
     smooth.update(sample.observed, movingPoses::observationCovariance(), 1. / 30.);
     observed.update(sample.observed, movingPoses::observationCovariance(), 1. / 30.);
-    CHECK(maxDifference(observed.pose(), sample.observed) == 0.);
-    CHECK(maxDifference(observed.filtered().cMo, smooth.pose()) == 0.);
+    CHECK(maxDifference(observed.pose(), sample.observed) == exactly(0.));
+    CHECK(maxDifference(observed.filtered().cMo, smooth.pose()) == exactly(0.));
     errorSmooth += distance(smooth.pose(), sample.cMo);
     errorObserved += distance(observed.pose(), sample.cMo);
   }
-  CHECK(maxDifference(observed.predict(0.1).cMo, smooth.predict(0.1).cMo) == 0.);
+  CHECK(maxDifference(observed.predict(0.1).cMo, smooth.predict(0.1).cMo) == exactly(0.));
   CHECK(errorSmooth < 0.7 * errorObserved);
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("A setting out of range is named, and the old ones stay", "[kalman]")
   vpPoseKalmanSettings settings;
   settings.rotationWander = -2.;
   CHECK_THROWS_WITH(filter.setSettings(settings), ContainsSubstring("rotationWander is -2"));
-  CHECK(filter.settings().rotationWander == 3.);
+  CHECK(filter.settings().rotationWander == exactly(3.));
   settings = vpPoseKalmanSettings();
   settings.longestGap = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(vpPoseKalmanFilter(settings), ContainsSubstring("longestGap"));

@@ -65,7 +65,7 @@ TEST_CASE("A particle does not depend on how many there are", "[particles]")
     filter->predict(0.1);
   }
   for (std::size_t i = 0; i < 10; i++) {
-    CHECK(maxDifference(few.pose(i), many.pose(i)) == 0.);
+    CHECK(maxDifference(few.pose(i), many.pose(i)) == exactly(0.));
     CHECK(maxDifference(few.pose(i), many.pose(i + 10)) > 0.);
   }
 }

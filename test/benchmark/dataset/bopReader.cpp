@@ -7,6 +7,7 @@
 #include "dataset/jsonFile.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <memory>
@@ -149,7 +150,7 @@ vpCameraParameters readCamera(const JsonValue &camera)
 {
   const JsonValue matrix = camera.at("cam_K");
   const std::vector<double> K = matrix.numbers(9);
-  if (K[1] != 0. || K[3] != 0. || K[6] != 0. || K[7] != 0. || K[8] != 1.) {
+  if (!vpIsZero(K[1]) || !vpIsZero(K[3]) || !vpIsZero(K[6]) || !vpIsZero(K[7]) || vpIsOther(K[8], 1.)) {
     matrix.refuse("a camera fx 0 cx 0 fy cy 0 0 1 is needed: ViSP's cameras have no skew");
   }
   return checkedCamera(K[0], K[4], K[2], K[5], matrix.place());
@@ -167,7 +168,7 @@ double SceneFiles::visibility(int image, std::size_t instance) const
   }
   const JsonValue share = instances[instance].at("visib_fract");
   const double visible = share.number();
-  if (visible == -1.) {
+  if (vpIsSame(visible, -1.)) {
     return 1.; // BOP's word for not computed.
   }
   if (visible < 0. || visible > 1.001) { // A bit more is what rounding leaves.

@@ -6,6 +6,7 @@
 
 #include <visp3/model/vpModelReader.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -52,7 +53,7 @@ vpHomogeneousMatrix checkedTransform(const std::vector<double> &matrix, double u
   if (matrix.size() != 16) {
     fail(place + ": a pose has 4 x 4 numbers, not " + std::to_string(matrix.size()));
   }
-  if (matrix[12] != 0. || matrix[13] != 0. || matrix[14] != 0. || matrix[15] != 1.) {
+  if (!vpIsZero(matrix[12]) || !vpIsZero(matrix[13]) || !vpIsZero(matrix[14]) || vpIsOther(matrix[15], 1.)) {
     fail(place + ": the last row of a pose is 0 0 0 1");
   }
   std::vector<double> rotation;

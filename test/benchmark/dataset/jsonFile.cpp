@@ -2,6 +2,7 @@
 #include "dataset/jsonFile.h"
 
 #include "dataset/datasetFiles.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <cmath>
 #include <limits>
@@ -74,7 +75,7 @@ double JsonValue::number() const
 int JsonValue::integer() const
 {
   const double value = number();
-  if (value != std::floor(value) || std::fabs(value) > std::numeric_limits<int>::max()) {
+  if (vpIsOther(value, std::floor(value)) || std::fabs(value) > std::numeric_limits<int>::max()) {
     refuse("a whole number is needed, not " + m_value->dump());
   }
   return static_cast<int>(value);

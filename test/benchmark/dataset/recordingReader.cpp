@@ -6,6 +6,7 @@
 
 #include <visp3/model/vpModelReader.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
+#include <visp3/se3/vpExactNumber.h>
 
 namespace fs = std::filesystem;
 
@@ -24,7 +25,7 @@ vpCameraParameters readCamera(const std::string &file)
   vpMultiCueSettings none;
   none.camera = vpCameraParameters(1., 1., 0., 0.);
   const vpCameraParameters cam = vpMultiCueSettingsReader::read(file, none).camera;
-  if (cam.get_px() == none.camera.get_px() && cam.get_py() == none.camera.get_py()) {
+  if (vpIsSame(cam.get_px(), none.camera.get_px()) && vpIsSame(cam.get_py(), none.camera.get_py())) {
     fail("The file " + inQuotes(file) + " has no camera");
   }
   return cam;

@@ -7,6 +7,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpIoTools.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <fstream>
@@ -196,7 +197,8 @@ void removeOldRuns(const TrackerOnScene &part)
 
 bool sameCamera(const vpCameraParameters &a, const vpCameraParameters &b)
 {
-  return a.get_px() == b.get_px() && a.get_py() == b.get_py() && a.get_u0() == b.get_u0() && a.get_v0() == b.get_v0();
+  return vpIsSame(a.get_px(), b.get_px()) && vpIsSame(a.get_py(), b.get_py()) && vpIsSame(a.get_u0(), b.get_u0()) &&
+         vpIsSame(a.get_v0(), b.get_v0());
 }
 
 std::shared_ptr<const vpTrackedModel> loadModel(const SequenceObject &object)

@@ -142,7 +142,7 @@ void StatePool::add(const std::string &scene, Protocol protocol, const std::vect
   m_recoveries.insert(m_recoveries.end(), recoveries.begin(), recoveries.end());
   if (endsWith(scene, "_occlusion")) {
     ++m_occlusions;
-    m_held += findLosses(records).empty() ? 1 : 0;
+    m_held += findLosses(records).empty() ? 1U : 0U;
   }
 }
 

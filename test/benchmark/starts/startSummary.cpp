@@ -2,6 +2,7 @@
 #include "starts/startSummary.h"
 
 #include "evaluate/numberText.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <map>
@@ -16,7 +17,7 @@ const char *const all = "all";
 bool isSame(const StartSummary &a, const StartSummary &b)
 {
   return a.tracker == b.tracker && a.object == b.object && a.model == b.model &&
-         a.deviation.angle == b.deviation.angle && a.deviation.offset == b.deviation.offset;
+         vpIsSame(a.deviation.angle, b.deviation.angle) && vpIsSame(a.deviation.offset, b.deviation.offset);
 }
 
 // Sums at first, shares in the end.
@@ -84,7 +85,7 @@ std::string grid(const std::vector<StartSummary> &kind, double StartSummary::*va
     text << "| " << plain(angle) << " |";
     for (const double offset : offsets) {
       const auto cell = std::find_if(kind.begin(), kind.end(), [angle, offset](const StartSummary &summary) {
-        return summary.deviation.angle == angle && summary.deviation.offset == offset;
+        return vpIsSame(summary.deviation.angle, angle) && vpIsSame(summary.deviation.offset, offset);
       });
       text << " " << (cell == kind.end() ? "" : percent((*cell).*value)) << " |";
     }
@@ -180,8 +181,8 @@ std::string startSummaryCsv(const std::vector<StartSummary> &summaries)
 std::string startMarkdown(const std::vector<StartSummary> &summaries)
 {
   const bool isGrid = std::any_of(summaries.begin(), summaries.end(), [&summaries](const StartSummary &summary) {
-    return summary.deviation.angle != summaries.front().deviation.angle ||
-           summary.deviation.offset != summaries.front().deviation.offset;
+    return vpIsOther(summary.deviation.angle, summaries.front().deviation.angle) ||
+           vpIsOther(summary.deviation.offset, summaries.front().deviation.offset);
   });
   return isGrid ? grids(summaries) : listTable(summaries);
 }

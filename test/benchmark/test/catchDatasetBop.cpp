@@ -14,22 +14,22 @@ void checkObjectFive(const Sequence &sequence)
   REQUIRE(sequence.frames.size() == 3);
   const SequenceFrame &first = sequence.frames[0];
   CHECK(first.id == 3);
-  CHECK(first.cam.get_px() == 570.);
-  CHECK(first.cam.get_py() == 580.);
-  CHECK(first.cam.get_u0() == 320.5);
-  CHECK(first.cam.get_v0() == 240.25);
+  CHECK(first.cam.get_px() == exactly(570.));
+  CHECK(first.cam.get_py() == exactly(580.));
+  CHECK(first.cam.get_u0() == exactly(320.5));
+  CHECK(first.cam.get_v0() == exactly(240.25));
   CHECK(first.cam.get_projModel() == vpCameraParameters::perspectiveProjWithoutDistortion);
   REQUIRE(first.hasTruth);
   CHECK(first.cMo[0][3] == Approx(0.01)); // The first of the two instances.
   CHECK(first.cMo[1][3] == Approx(-0.005));
   CHECK(first.cMo[2][3] == Approx(0.5));
-  CHECK(first.visibility == 0.75);
+  CHECK(first.visibility == exactly(0.75));
   const SequenceFrame &second = sequence.frames[1];
   CHECK(second.id == 4);
-  CHECK(second.cam.get_px() == 571.);
+  CHECK(second.cam.get_px() == exactly(571.));
   CHECK(second.cMo[0][1] == Approx(-1.)); // Row by row.
   CHECK(second.cMo[1][0] == Approx(1.));
-  CHECK(second.visibility == 1.); // Not computed.
+  CHECK(second.visibility == exactly(1.)); // Not computed.
   CHECK_FALSE(sequence.frames[2].hasTruth);
   CHECK(sequence.frames[2].id == 7);
 }
@@ -45,7 +45,7 @@ TEST_CASE("A scene of BOP is read with its lengths in metres", "[dataset]")
   checkObjectFive(sequence);
   CHECK(std::filesystem::exists(sequence.frames[2].image));
   CHECK(sequence.object.mesh == folder.path("models/obj_000005.ply"));
-  CHECK(sequence.object.meshUnit == 0.001);
+  CHECK(sequence.object.meshUnit == exactly(0.001));
   CHECK(sequence.object.cao.empty());
   CHECK(sequence.object.diameter == Approx(0.075));
   CHECK(sequence.object.axis.empty());
@@ -62,10 +62,10 @@ TEST_CASE("The other object of a scene, and the first one where none is named", 
   const Sequence sequence = openSequence(folder.path(), "test/000001", 2);
   REQUIRE(sequence.frames.size() == 3);
   CHECK(sequence.frames[0].cMo[0][3] == Approx(0.09));
-  CHECK(sequence.frames[0].visibility == 0.5);
+  CHECK(sequence.frames[0].visibility == exactly(0.5));
   CHECK_FALSE(sequence.frames[1].hasTruth);
   CHECK(sequence.frames[2].cMo[0][3] == Approx(0.08));
-  CHECK(sequence.frames[2].visibility == 1.); // The file does not have the image.
+  CHECK(sequence.frames[2].visibility == exactly(1.)); // The file does not have the image.
   REQUIRE(sequence.object.axis.size() == 1);
   CHECK((sequence.object.axis[0].direction - Eigen::Vector3d::UnitZ()).norm() < 1e-12);
   CHECK((sequence.object.axis[0].point - Eigen::Vector3d(0., 0.03, 0.)).norm() < 1e-12);
@@ -103,7 +103,7 @@ TEST_CASE("Of an object's models the one in metres is preferred, and its .cao is
   folder.put("models/obj_000005.cao", "V1");
   const bench::SequenceObject object = openSequence(folder.path(), "1", 5).object;
   CHECK(object.mesh == folder.path("models/obj_000005.obj"));
-  CHECK(object.meshUnit == 1.);
+  CHECK(object.meshUnit == exactly(1.));
   CHECK(object.cao == folder.path("models/obj_000005.cao"));
 }
 

@@ -15,7 +15,7 @@ TEST_CASE("A scene of RBOT is read with its lengths in metres and its pixels at 
     CHECK(sequence.scene == "ape/a_regular");
     CHECK(sequence.object.id == 1);
     CHECK(sequence.object.mesh == folder.path("ape/ape.obj"));
-    CHECK(sequence.object.meshUnit == 0.001);
+    CHECK(sequence.object.meshUnit == exactly(0.001));
     CHECK(sequence.object.diameter == Approx(std::sqrt(60. * 60. + 40. * 40. + 20. * 20.) / 1000.));
     REQUIRE(sequence.frames.size() == 3);
     const bench::SequenceFrame &frame = sequence.frames[1];

@@ -119,10 +119,10 @@ TEST_CASE("Starts are as many pixels off as asked for, after failures too, and t
   for (const vpHomogeneousMatrix &cMo : starts) {
     CHECK(measure(cMo, sequence.frames[0].cMo, sequence.frames[0].cam).pixels == Approx(1.5).margin(1e-3));
   }
-  CHECK(starts[1][0][3] != starts[0][0][3]);
-  CHECK(startsWith(1.5, 1).front()[0][3] == starts.front()[0][3]);
-  CHECK(startsWith(1.5, 2).front()[0][3] != starts.front()[0][3]);
-  CHECK(startsWith(0., 1).front()[0][3] == sequence.frames[0].cMo[0][3]);
+  CHECK(starts[1][0][3] != exactly(starts[0][0][3]));
+  CHECK(startsWith(1.5, 1).front()[0][3] == exactly(starts.front()[0][3]));
+  CHECK(startsWith(1.5, 2).front()[0][3] != exactly(starts.front()[0][3]));
+  CHECK(startsWith(0., 1).front()[0][3] == exactly(sequence.frames[0].cMo[0][3]));
 }
 
 TEST_CASE("Protocol run starts the tracker once", "[evaluate]")

@@ -56,9 +56,9 @@ TEST_CASE("The area under the ROC curve is the share of pairs in order, and equa
           "[evaluate]")
 {
   using Poses = std::vector<bench::ScoredPose>;
-  CHECK(bench::rocArea({{0.9, true}, {0.8, true}, {0.1, false}}) == 1.);
-  CHECK(bench::rocArea({{0.1, true}, {0.9, false}}) == 0.);
-  CHECK(bench::rocArea({{0.5, true}, {0.5, false}, {0.5, false}}) == 0.5);
+  CHECK(bench::rocArea({{0.9, true}, {0.8, true}, {0.1, false}}) == exactly(1.));
+  CHECK(bench::rocArea({{0.1, true}, {0.9, false}}) == exactly(0.));
+  CHECK(bench::rocArea({{0.5, true}, {0.5, false}, {0.5, false}}) == exactly(0.5));
   // Six pairs: 0.9 > 0.5, 0.9 > 0.2; 0.5 = 0.5, 0.5 > 0.2; 0.1 is below both. 3.5 of 6.
   CHECK(bench::rocArea({{0.9, true}, {0.5, true}, {0.1, true}, {0.5, false}, {0.2, false}}) == Approx(3.5 / 6.));
   CHECK(std::isnan(bench::rocArea(Poses{{0.5, true}})));
@@ -85,8 +85,8 @@ TEST_CASE("The ROC curve has a point for each score", "[evaluate]")
   }
   const std::vector<bench::RocPoint> thinned = bench::rocCurve(many, 50);
   CHECK(thinned.size() <= 50);
-  CHECK(thinned.back().wrong == 1.);
-  CHECK(thinned.back().right == 1.);
+  CHECK(thinned.back().wrong == exactly(1.));
+  CHECK(thinned.back().right == exactly(1.));
 }
 
 TEST_CASE("The calibration error weighs bins of the score by their frames", "[evaluate]")
@@ -147,7 +147,7 @@ TEST_CASE("Scores count where the tracker has one", "[evaluate]")
   bench::StatePool pool;
   pool.add("box_regular", Protocol::RBOT, frames);
   const bench::StateFigures figures = pool.figures();
-  CHECK(figures.counted.rocArea == 1.);
+  CHECK(figures.counted.rocArea == exactly(1.));
   CHECK(figures.known.rocArea == Approx(2. / 3.)); // The hidden object was believed in most.
   CHECK(figures.counted.calibrationError == Approx((0.1 + 0.3 + 0.25) / 3.));
   CHECK(figures.bins[9].count == 1);
@@ -168,17 +168,17 @@ TEST_CASE("Runs of a tracker, protocol and step are pooled, and those of a track
   CHECK(groups[0].figures.counted.count == 20);
   CHECK(groups[0].figures.counted.falseTracking == Approx(5. / 20.)); // Not the mean of 0 and 5/12.
   CHECK(groups[0].figures.occlusions == 2);
-  CHECK(groups[0].figures.heldThroughout == 0.5);
+  CHECK(groups[0].figures.heldThroughout == exactly(0.5));
   CHECK(groups[1].figures.recoveries == 1);
-  CHECK(groups[1].figures.recovered == 1.);
-  CHECK(groups[1].figures.recoveredSoon == 0.); // After 11 frames.
+  CHECK(groups[1].figures.recovered == exactly(1.));
+  CHECK(groups[1].figures.recoveredSoon == exactly(0.)); // After 11 frames.
   CHECK(groups[2].protocol == "rbot");
   CHECK(groups[2].figures.recoveries == 0); // It was started again.
   CHECK(std::isnan(groups[2].figures.recovered));
   CHECK(groups[3].protocol == "all");
   CHECK(groups[3].runs == 4);
   CHECK(groups[3].figures.recoveries == 2);
-  CHECK(groups[3].figures.recoveredSoon == 0.5);
+  CHECK(groups[3].figures.recoveredSoon == exactly(0.5));
   CHECK(groups[4].tracker == "other, one");
 
   const std::string csv = bench::stateCsv(groups);

@@ -56,9 +56,9 @@ TEST_CASE("Values are told by their mean, and by what a tenth, a half and nine t
     values.push_back(i);
   }
   const bench::Spread spread = bench::spreadOf(values);
-  CHECK(spread.mean == 50.);
-  CHECK(spread.tenth == 10.);
-  CHECK(spread.median == 50.);
-  CHECK(spread.ninth == 90.);
+  CHECK(spread.mean == exactly(50.));
+  CHECK(spread.tenth == exactly(10.));
+  CHECK(spread.median == exactly(50.));
+  CHECK(spread.ninth == exactly(90.));
   CHECK(std::isnan(bench::spreadOf({}).mean));
 }

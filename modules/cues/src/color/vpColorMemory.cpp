@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <visp3/cues/vpColorMemory.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ void vpColorMemory::clear()
 void vpColorMemory::setModel(const vpTrackedModel &model)
 {
   const double cellSize = model.diameter() / cellsPerDiameter;
-  if (cellSize != m_cellSize || model.boxMin() != m_origin) {
+  if (vpIsOther(cellSize, m_cellSize) || model.boxMin() != m_origin) {
     m_cellSize = cellSize;
     m_origin = model.boxMin();
     clear();
@@ -103,14 +104,14 @@ void vpColorMemory::addEvidence(const Eigen::Vector3d &position, double evidence
 double vpColorMemory::evidence(const Eigen::Vector3d &position, double unknown) const
 {
   const Slot *slot = look(position);
-  return slot == nullptr || slot->evidenceCount == 0.F ? unknown
-                                                       : static_cast<double>(slot->evidence / slot->evidenceCount);
+  return slot == nullptr || vpIsZero(slot->evidenceCount) ? unknown
+                                                          : static_cast<double>(slot->evidence / slot->evidenceCount);
 }
 
 bool vpColorMemory::find(const Eigen::Vector3d &position, Means &means) const
 {
   const Slot *slot = look(position);
-  if (slot == nullptr || slot->count == 0.F) {
+  if (slot == nullptr || vpIsZero(slot->count)) {
     return false;
   }
   means.object = slot->sum.object / slot->count;

@@ -15,7 +15,7 @@ BEGIN_VISP_NAMESPACE
   Gives the candidates of one control point to classes, at most one to each, with the least sum of squared distances.
   Both lie on the control point's normal, where the best assignment keeps the order; so it is a shortest path.
 */
-template <int Max> class vpClassAssignment
+template <std::size_t Max> class vpClassAssignment
 {
 public:
   //! \param label Name of the class. \param place Where its mean crosses the normal.

@@ -4,6 +4,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpImageConvert.h>
 #include <visp3/core/vpImageTools.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <atomic>
@@ -20,7 +21,7 @@ bool isDistorted(const vpCameraParameters &cam)
   case vpCameraParameters::perspectiveProjWithoutDistortion:
     return false;
   case vpCameraParameters::perspectiveProjWithDistortion:
-    return cam.get_kud() != 0.; // Often stored with a model that has distortion, but none of it.
+    return !vpIsZero(cam.get_kud()); // Often stored with a model that has distortion, but none of it.
   default:
     return true;
   }

@@ -245,13 +245,13 @@ std::vector<vpPointMatch> vpKeyframes::Impl::bestOfEach() const
       known = &candidate;
     }
   }
-  std::vector<vpPointMatch> matches;
+  std::vector<vpPointMatch> chosen;
   for (const Candidate *candidate : best) {
     if (candidate != nullptr) {
-      matches.push_back(candidate->match);
+      chosen.push_back(candidate->match);
     }
   }
-  return matches;
+  return chosen;
 }
 
 std::vector<vpKeyframePose> vpKeyframes::find(const vpCueFrame &frame, const vpImageRegion &region, const Where &where)

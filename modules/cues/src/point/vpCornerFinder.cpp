@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "point/vpCornerFinder.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -37,7 +38,7 @@ void vpCornerFinder::find(const cv::Mat &pixels, cv::Mat &mask, const std::vecto
   corners.clear();
   const std::size_t most = static_cast<std::size_t>(settings.maxFeatures);
   const double surface = cv::countNonZero(mask);
-  if (surface == 0. || taken.size() >= most) {
+  if (vpIsZero(surface) || taken.size() >= most) {
     return;
   }
   const double distance = std::max(settings.minDistance, 1.);

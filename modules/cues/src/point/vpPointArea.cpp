@@ -41,8 +41,8 @@ cv::Rect vpPointArea::expected(const vpModelView &view, const vpPointCamera &cam
 
 cv::Rect vpPointArea::placed(const cv::Size &size, const cv::Rect &around, const cv::Size &image)
 {
-  const auto start = [](int from, int length, int size, int most) {
-    return std::max(std::min(from + (length - size) / 2, most - size), 0);
+  const auto start = [](int from, int length, int side, int most) {
+    return std::max(std::min(from + (length - side) / 2, most - side), 0);
   };
   return cv::Rect(cv::Point(start(around.x, around.width, size.width, image.width),
                             start(around.y, around.height, size.height, image.height)),

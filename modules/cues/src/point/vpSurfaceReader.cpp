@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "point/vpSurfaceReader.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ bool vpSurfaceReader::hides(const Eigen::Vector2d &pixel, double depthOfPoint) c
   for (int i = std::max(row - 1, 0); i <= std::min(row + 1, m_view.height - 1); ++i) {
     for (int j = std::max(column - 1, 0); j <= std::min(column + 1, m_view.width - 1); ++j) {
       const float seen = depth(j, i);
-      if (seen == 0.F || static_cast<double>(seen) >= limit) {
+      if (vpIsZero(seen) || static_cast<double>(seen) >= limit) {
         return false;
       }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "vpTriangleFill.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <array>
@@ -122,7 +123,7 @@ struct DepthPlane
 //! Whether a triangle is seen at a pixel rather than what is there, whatever the order in which they are drawn.
 bool isNearer(float value, float before, int index, int triangleBefore)
 {
-  return value > before || (value == before && index < triangleBefore);
+  return value > before || (vpIsSame(value, before) && index < triangleBefore);
 }
 
 template <bool WithTriangle> void fillSmall(const Triangle &t, int index, const vpFillTarget &target)
@@ -166,7 +167,7 @@ void narrow(const Edge<std::int64_t> &edge, int row, int &first, int &last)
 {
   const double slope = static_cast<double>(edge.perColumn);
   const double atLeft = static_cast<double>(edge.first + row * edge.perRow);
-  if (slope == 0.) {
+  if (vpIsZero(slope)) {
     last = atLeft < 0. ? first - 1 : last;
     return;
   }

@@ -3,6 +3,7 @@
 #include "files/plyRows.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <array>
@@ -169,7 +170,7 @@ private:
       std::vector<double> indices = m_values[static_cast<std::size_t>(list)];
       indices.push_back(-1.);
       for (const double index : indices) {
-        if (index != -1.) {
+        if (vpIsOther(index, -1.)) {
           strip.push_back(index);
           continue;
         }
@@ -186,7 +187,7 @@ private:
     const std::size_t odd = k % 2;
     const std::vector<double> corners = {strip[k - 2 + odd], strip[k - 1 - odd], strip[k]};
     // Strips are sewn together with triangles that have a corner twice.
-    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) {
+    if (vpIsOther(corners[0], corners[1]) && vpIsOther(corners[1], corners[2]) && vpIsOther(corners[2], corners[0])) {
       m_faces.push_back({m_corners.size(), 3, 0, false});
       addCorners(corners);
       m_cornerTextures.resize(m_corners.size(), Eigen::Vector2f::Zero());

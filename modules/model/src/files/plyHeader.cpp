@@ -195,8 +195,8 @@ double colorScale(PlyType type)
 int PlyElement::find(const std::vector<const char *> &names) const
 {
   for (std::size_t i = 0; i < properties.size(); ++i) {
-    for (const char *name : names) {
-      if (properties[i].name == name) {
+    for (const char *one : names) {
+      if (properties[i].name == one) {
         return static_cast<int>(i);
       }
     }

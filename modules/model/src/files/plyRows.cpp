@@ -2,6 +2,7 @@
 #include "files/plyRows.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <cmath>
 #include <cstring>
@@ -109,7 +110,7 @@ double PlyRows::number(PlyType type)
   if (!parseNumber(text, value)) {
     refuse("'" + std::string(text.substr(0, 20)) + "' is no number");
   }
-  if (type < PlyType::FLOAT && value != std::floor(value)) {
+  if (type < PlyType::FLOAT && vpIsOther(value, std::floor(value))) {
     refuse("'" + std::string(text.substr(0, 20)) + "' is no whole number");
   }
   return value;

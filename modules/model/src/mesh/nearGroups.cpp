@@ -2,6 +2,7 @@
 #include "nearGroups.h"
 
 #include "boundingBox.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <numeric>
@@ -28,7 +29,7 @@ void split(const std::vector<Eigen::Vector3d> &points, std::size_t most, std::si
   // Equal coordinates by their number: the same points make the same groups, whatever the library.
   std::nth_element(begin, groups.order.begin() + static_cast<std::ptrdiff_t>(middle), end,
                    [&points, axis](std::size_t a, std::size_t b) {
-                     return points[a][axis] != points[b][axis] ? points[a][axis] < points[b][axis] : a < b;
+                     return vpIsOther(points[a][axis], points[b][axis]) ? points[a][axis] < points[b][axis] : a < b;
                    });
   split(points, most, first, middle, groups);
   split(points, most, middle, last, groups);

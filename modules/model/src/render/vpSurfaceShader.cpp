@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "vpSurfaceShader.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <Eigen/Geometry>
 
@@ -79,7 +80,7 @@ public:
   {
     const Eigen::Vector3d volumes = m_opposite * ray;
     const double sum = volumes.sum();
-    if (sum == 0.) {
+    if (vpIsZero(sum)) {
       return Eigen::Vector3d::Constant(1. / 3.);
     }
     const Eigen::Vector3d shares = (volumes / sum).cwiseMax(0.);

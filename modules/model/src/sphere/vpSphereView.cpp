@@ -16,7 +16,7 @@ vpSphereView::vpSphereView(const std::vector<vpControlPoint> &points, std::size_
     return points[(2 * k + 1) * points.size() / (2 * m_size)];
   };
   for (std::size_t k = 0; k < m_size; ++k) {
-    m_silhouettes += taken(k).kind == vpEdgeKind::SILHOUETTE ? 1 : 0;
+    m_silhouettes += taken(k).kind == vpEdgeKind::SILHOUETTE ? 1U : 0U;
   }
   std::size_t nextSilhouette = 0;
   std::size_t nextInner = m_silhouettes;

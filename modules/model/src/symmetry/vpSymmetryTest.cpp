@@ -138,7 +138,7 @@ bool vpSymmetryTest::surfaceFits(const Eigen::Isometry3d &turn) const
     }
     if (place.hasColor) {
       ++colored;
-      wrong += (colorAt(found) - place.color).cwiseAbs().maxCoeff() > m_options.colorTolerance ? 1 : 0;
+      wrong += (colorAt(found) - place.color).cwiseAbs().maxCoeff() > m_options.colorTolerance ? 1U : 0U;
     }
   }
   return static_cast<double>(wrong) <= wrongColors * static_cast<double>(colored);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "../render/vpSurfaceShader.h"
 #include "texture/vpTextureChart.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -32,7 +33,7 @@ struct vpChartImage::FineImage
   {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
-  bool covers(std::size_t i) const { return depth[i] != std::numeric_limits<float>::lowest(); }
+  bool covers(std::size_t i) const { return vpIsOther(depth[i], std::numeric_limits<float>::lowest()); }
 
   //! \param corners Fine pixels, depth in metres.
   void draw(const vpSurfaceShader &shader, int triangle, const std::array<Eigen::Vector3d, 3> &corners)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "texture/vpEdgePixels.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +124,7 @@ void vpEdgePixels::findMaxima(double minContrast)
       const double ahead = slope(Eigen::Vector2d(x, y) + direction, direction);
       const double behind = slope(Eigen::Vector2d(x, y) - direction, direction);
       // Beside the surface the gradient is not known, and a maximum there is none.
-      if (!(here > ahead && here >= behind) || ahead == 0. || behind == 0.) {
+      if (!(here > ahead && here >= behind) || vpIsZero(ahead) || vpIsZero(behind)) {
         continue;
       }
       const double offset = 0.5 * (ahead - behind) / (2. * here - behind - ahead);

@@ -2,6 +2,7 @@
 #include "view/vpContourSampler.h"
 
 #include "view/vpCircleFrame.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <Eigen/Geometry>
 
@@ -42,19 +43,19 @@ void vpContourSampler::add(const vpModelView::Piece &input)
     m_interrupted = true;
     return;
   }
-  piece.joined = !m_interrupted && piece.parameter[0] == input.parameter[0];
-  m_interrupted = piece.parameter[1] != input.parameter[1];
+  piece.joined = !m_interrupted && vpIsSame(piece.parameter[0], input.parameter[0]);
+  m_interrupted = vpIsOther(piece.parameter[1], input.parameter[1]);
 }
 
 void vpContourSampler::cut(vpModelView::Piece &piece, double s0, double s1)
 {
-  if (s0 == 0. && s1 == 1.) {
+  if (vpIsZero(s0) && vpIsSame(s1, 1.)) {
     return;
   }
   const vpModelView::Piece whole = piece;
   const std::array<double, 2> s = {{s0, s1}};
   for (std::size_t k = 0; k < 2; ++k) {
-    if (s[k] == static_cast<double>(k)) {
+    if (vpIsSame(s[k], static_cast<double>(k))) {
       continue;
     }
     piece.position[k] = mix(whole.position, s[k]);
@@ -75,7 +76,7 @@ bool vpContourSampler::clipDepth(vpModelView::Piece &piece) const
   double s0 = 0.;
   double s1 = 1.;
   for (const double limit : {m_options.nearDistance, farDistance}) {
-    const double sign = limit == farDistance ? -1. : 1.;
+    const double sign = vpIsSame(limit, farDistance) ? -1. : 1.;
     const bool out0 = sign * (piece.depth[0] - limit) < 0.;
     const bool out1 = sign * (piece.depth[1] - limit) < 0.;
     if (out0 && out1) {
@@ -106,7 +107,7 @@ bool vpContourSampler::clipImage(vpModelView::Piece &piece) const
   double s1 = 1.;
   for (int axis = 0; axis < 2; ++axis) {
     const double low = m_options.border;
-    if (d[axis] == 0.) {
+    if (vpIsZero(d[axis])) {
       if (a[axis] < low || a[axis] > m_high[axis]) {
         return false;
       }
@@ -250,7 +251,7 @@ void vpContourSampler::orient(vpControlPoint &point, const Eigen::Vector3d &cX, 
     point.normal = -point.normal;
     point.side = -1.;
   }
-  const bool background = m_depth.at(point.pixel + m_sideOffset * point.normal) == 0.F;
+  const bool background = vpIsZero(m_depth.at(point.pixel + m_sideOffset * point.normal));
   point.kind = background ? vpEdgeKind::SILHOUETTE : vpEdgeKind::INNER;
 }
 
@@ -272,7 +273,7 @@ void vpContourSampler::orientByDepth(vpControlPoint &point, double depth) const
     point.normal = -point.normal;
     point.side = -1.;
   }
-  if ((surfaceAhead ? behind : ahead) == 0.) {
+  if (vpIsZero((surfaceAhead ? behind : ahead))) {
     point.kind = vpEdgeKind::SILHOUETTE;
   }
 }

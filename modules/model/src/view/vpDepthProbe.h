@@ -3,6 +3,7 @@
 #define vpDepthProbe_h
 
 #include <visp3/model/vpModelRenderer.h>
+#include <visp3/se3/vpExactNumber.h>
 
 BEGIN_VISP_NAMESPACE
 
@@ -41,7 +42,7 @@ public:
     for (int i = row - 1; i <= row + 1; ++i) {
       for (int j = column - 1; j <= column + 1; ++j) {
         const float seen = depth(j, i);
-        if (seen == 0.F || static_cast<double>(seen) + m_farther >= limit) {
+        if (vpIsZero(seen) || static_cast<double>(seen) + m_farther >= limit) {
           return false;
         }
       }

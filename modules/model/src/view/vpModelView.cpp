@@ -11,6 +11,7 @@
 #include "view/vpTextureContours.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,7 @@ void vpModelViewOptions::check() const
   require(disappearAngle >= appearAngle && disappearAngle <= 90., "disappearAngle", disappearAngle,
           "in [appearAngle, 90] degrees");
   require(nearDistance > 0., "nearDistance", nearDistance, "above 0 m");
-  require(farDistance == 0. || farDistance > nearDistance, "farDistance", farDistance, "0 or above nearDistance");
+  require(vpIsZero(farDistance) || farDistance > nearDistance, "farDistance", farDistance, "0 or above nearDistance");
   require(border >= 0., "border", border, "at least 0 pixels");
   require(visibilitySize >= 16, "visibilitySize", visibilitySize, "at least 16 pixels");
 }

@@ -4,6 +4,7 @@
 #include "dataset/largestDistance.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -35,7 +36,7 @@ void writeText(const std::string &file, const std::string &text)
 std::string number(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.9g", value == 0. ? 0. : value);
+  std::snprintf(text, sizeof(text), "%.9g", vpIsZero(value) ? 0. : value);
   return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <visp3/core/vpException.h>
 #include <visp3/se3/vpPoseMean.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <cmath>
 #include <fstream>
@@ -92,7 +93,7 @@ PointPairs readPoints(const std::string &file)
 {
   const std::vector<double> numbers = readNumbers(file);
   const std::size_t count = pointCount(numbers);
-  if (count == 0 || numbers.size() != 2 + 5 * count || numbers[1 + 3 * count] != numbers[0]) {
+  if (count == 0 || numbers.size() != 2 + 5 * count || vpIsOther(numbers[1 + 3 * count], numbers[0])) {
     fail(file, "needs the number of points, at least 4, X Y Z of each, the number again, and row and column of each");
   }
   PointPairs points;

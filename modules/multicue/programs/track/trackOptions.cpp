@@ -8,6 +8,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/multicue/vpCueKind.h>
 #include <visp3/multicue/vpMultiCuePreset.h>
+#include <visp3/se3/vpExactNumber.h>
 
 namespace programs {
 namespace {
@@ -111,7 +112,7 @@ void TrackOptions::check() const
   if (source.last >= 0 && source.last < source.first) {
     fail("--last is before --first");
   }
-  if (framesPerSecond != 0. && !(framesPerSecond >= 0.1)) {
+  if (!vpIsZero(framesPerSecond) && !(framesPerSecond >= 0.1)) {
     fail("--fps needs a number of at least 0.1");
   }
 }

@@ -2,9 +2,9 @@
 #include "config/settingsVispJson.h"
 
 #include "config/vispJsonCarrier.h"
+#include "config/vispJsonParts.h"
 
 #include <visp3/core/vpException.h>
-#include <visp3/cues/vpEdgeCue.h>
 
 #include <algorithm>
 
@@ -22,97 +22,6 @@ constexpr const char *needsDepth = "it needs a depth camera";
 [[noreturn]] void refuse(const std::string &reason)
 {
   throw vpException(vpException::badValue, reason);
-}
-
-// ViSP's own name of the model, or the older one with "Proj" in it.
-bool isDistorted(const std::string &model)
-{
-  const bool with = model == "perspectiveWithDistortion" || model == "perspectiveProjWithDistortion";
-  if (!with && model != "perspectiveWithoutDistortion" && model != "perspectiveProjWithoutDistortion") {
-    refuse("the camera model '" + model +
-           "' is not known: perspectiveWithoutDistortion and perspectiveWithDistortion are; undistort the images of "
-           "other cameras first");
-  }
-  return with;
-}
-
-void takeCamera(const std::string &place, VispJsonCarrier &carrier)
-{
-  const Json &camera = carrier.objectAt(place);
-  if (camera.empty()) {
-    return;
-  }
-  const bool distorted = isDistorted(camera.value("model", std::string("perspectiveWithoutDistortion")));
-  for (const std::string name : {"px", "py", "u0", "v0", "kud", "kdu"}) {
-    const bool isDistortion = name[0] == 'k';
-    if (!camera.contains(name) && (distorted || !isDistortion)) {
-      refuse("the camera has no '" + name + "'");
-    }
-    if (distorted || !isDistortion) {
-      carrier.take(place + '/' + name, "camera." + name);
-    }
-  }
-  carrier.leave(place, "a camera without distortion has no such value");
-  carrier.note(place + "/model", "camera.px", "it says which of the values there are");
-}
-
-void takeThreshold(const std::string &place, const Json &edge, VispJsonCarrier &carrier)
-{
-  const Json maskSize = edge.value("maskSize", Json(vpEdgeCueSettings().maskSize));
-  const Json &threshold = edge.at("threshold");
-  constexpr double largestMask = 100.; // Beyond any that there is; the number has to have room in an unsigned int.
-  if (!threshold.is_number() || !maskSize.is_number_unsigned() || maskSize.get<double>() > largestMask) {
-    refuse("'threshold' and 'maskSize' of the edges are to be numbers");
-  }
-  const bool inGrayLevels = edge.value("thresholdType", std::string("old")) == "normalized";
-  const double contrast = vpEdgeCueSettings::toContrast(
-      threshold.get<double>(), inGrayLevels ? vpEdgeCueSettings::CONTRAST : vpEdgeCueSettings::LIKELIHOOD,
-      maskSize.get<unsigned int>());
-  carrier.takeAs(place + "/threshold", "edge.contrast", contrast, "in gray levels");
-  carrier.note(place + "/thresholdType", "edge.contrast", "the scale of the threshold");
-}
-
-// vpMe.
-void takeEdges(const std::string &place, VispJsonCarrier &carrier)
-{
-  const Json &edge = carrier.objectAt(place);
-  carrier.take(place + "/maskSize", "edge.maskSize");
-  carrier.take(place + "/range", "edge.range");
-  carrier.take(place + "/sampleStep", "view.sampleStep");
-  if (edge.contains("mu")) {
-    const Json &mu = edge["mu"];
-    if (!mu.is_array() || mu.size() != 2) {
-      refuse("'mu' of the edges is to be a list of two numbers");
-    }
-    carrier.set("edge.mu2", mu[1]);
-    carrier.takeAs(place + "/mu", "edge.mu1", mu[0], "and edge.mu2");
-  }
-  if (edge.contains("threshold")) {
-    takeThreshold(place, edge, carrier);
-  }
-  for (const char *name : {"/nMask", "/angleStep", "/maskSign", "/strip"}) {
-    carrier.leave(place + name, "masks are made for each edge's own direction");
-  }
-  for (const char *name : {"/thresholdMarginRatio", "/minThreshold"}) {
-    carrier.leave(place + name, "the threshold adapts itself to the light");
-  }
-  for (const char *name : {"/minSampleStep", "/ntotalSample", "/pointsToTrack"}) {
-    carrier.leave(place + name, "the step between control points tells how many there are");
-  }
-  carrier.leave(place + "/initRange", "a start looks as far as it has to");
-}
-
-// vpKltOpencv.
-void takePoints(const std::string &place, VispJsonCarrier &carrier)
-{
-  carrier.objectAt(place);
-  for (const std::string name :
-       {"maxFeatures", "windowSize", "quality", "minDistance", "harris", "blockSize", "pyramidLevels", "maskBorder"}) {
-    carrier.take(place + '/' + name, "klt." + name);
-  }
-  const Json &useHarris = carrier.at(place + "/useHarris"); // ViSP writes a number.
-  carrier.takeAs(place + "/useHarris", "klt.useHarris",
-                 useHarris.is_number() ? Json(useHarris.get<double>() > 0.) : useHarris);
 }
 
 bool has(const Json &list, const std::vector<std::string> &words)
@@ -148,6 +57,11 @@ std::string cueOf(const std::string &theirs)
   return theirs == "klt" ? "point" : theirs == "silhouetteColor" ? "color" : "";
 }
 
+std::string reasonAgainst(const std::string &theirs)
+{
+  return theirs.compare(0, 5, "depth") == 0 ? needsDepth : "there is no such cue here";
+}
+
 class Cues
 {
 public:
@@ -156,7 +70,7 @@ public:
   {
     const std::string ours = cueOf(theirs);
     if (ours.empty()) {
-      carrier.leave(place, theirs.compare(0, 5, "depth") == 0 ? needsDepth : "there is no such cue here");
+      carrier.leave(place, reasonAgainst(theirs));
       return;
     }
     if (!has(m_names, {ours})) {
@@ -236,14 +150,15 @@ void takeFeature(const std::string &place, Cues &cues, VispJsonCarrier &carrier)
     carrier.leave(place + "/displayType", "features are drawn in one way");
   }
   if (cueOf(type).empty() && feature.is_object()) {
-    carrier.leave(place, type.compare(0, 5, "depth") == 0 ? needsDepth : "there is no such cue here");
+    carrier.leave(place, reasonAgainst(type));
   }
   carrier.leave(place + "/weight", ownWeights);
   for (const char *name : {"/convergencePixelThreshold", "/convergenceRatio", "/convergenceThreshold"}) {
     carrier.leave(place + name, ownSteps);
   }
-  carrier.leave(place + "/useMask", needsMask);
-  carrier.leave(place + "/minMaskConfidence", needsMask);
+  for (const char *name : {"/useMask", "/minMaskConfidence"}) {
+    carrier.leave(place + name, needsMask);
+  }
 }
 
 VispJson readRenderBased(const Json &json)
@@ -255,13 +170,12 @@ VispJson readRenderBased(const Json &json)
                "ViSP's renderer turns .obj files by a quarter about x, so that their poses differ by that turn");
   carrier.take("/vvs/gain", "estimation.gain");
   carrier.take("/vvs/maxIterations", "estimation.maxIterations");
-  const Json features = carrier.has("/features") ? carrier.at("/features") : Json::array();
   Cues cues;
+  const Json features = carrier.has("/features") ? carrier.at("/features") : Json::array();
   for (std::size_t i = 0; i < features.size(); ++i) {
     takeFeature("/features/" + std::to_string(i), cues, carrier);
   }
-  carrier.leave("/camera/width", "the images tell their size");
-  carrier.leave("/camera/height", "the images tell their size");
+  carrier.leave("/camera", "the images tell their size");
   carrier.leave("/vvs", "damping is that of 'estimation', Gauss and Newton's method without any by default");
   carrier.leave("/silhouetteExtractionSettings", "contours are found on the mesh, and not in a rendered depth image");
   carrier.leave("/mask", needsMask);

@@ -4,6 +4,7 @@
 #include "config/settingsText.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <nlohmann/json.hpp>
 
@@ -81,7 +82,7 @@ Eigen::Vector3d vectorOf(const Json &json, const char *key, const std::string &p
 vpHomogeneousMatrix matrixOf(const Json &json, const std::string &place)
 {
   const std::vector<double> numbers = numbersOf(json, 16, place);
-  if (numbers[12] != 0. || numbers[13] != 0. || numbers[14] != 0. || numbers[15] != 1.) {
+  if (!vpIsZero(numbers[12]) || !vpIsZero(numbers[13]) || !vpIsZero(numbers[14]) || vpIsOther(numbers[15], 1.)) {
     refuse(place, "the last row of the matrix must be 0 0 0 1");
   }
   vpHomogeneousMatrix oTo;

@@ -20,7 +20,7 @@ vpMultiCueEngine::vpMultiCueEngine(vpServoing &servoing)
       m_capture(looks, cues, edges), m_hints(looks, m_score, m_capture, rough),
       m_starter(looks, cues, m_fused, edges, motion, m_score, m_alike, m_learning, rough, outcome),
       m_keyframes(looks, motion, m_knowledge, m_attempts),
-      m_near(looks, cues, motion, m_score, symmetries, particles, m_attempts),
+      m_near(looks, motion, m_score, symmetries, particles, m_attempts),
       m_everywhere(looks, cues, motion, m_score, symmetries, m_halfTurns, m_whereabouts, rough, situation, m_attempts),
       m_plan(settings, looks, cues, edges, motion, m_proof, m_halfTurns, m_alike, situation, outcome, m_hints, rough,
              m_keyframes, m_near, m_everywhere, m_attempts),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "estimate/vpPoseCovariance.h"
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ void vpPoseCovariance::update(const vpCueFusion &fusion, const vpHomogeneousMatr
   m_uncertainty.update(fusion, weakPrior(cMo * looks.centreFrame()));
   std::array<bool, 6> fixed{};
   for (unsigned int i = 0; i < 6; ++i) {
-    fixed[i] = chosen[i][i] == 0.; // See vpMbTracker::setEstimatedDoF().
+    fixed[i] = vpIsZero(chosen[i][i]); // See vpMbTracker::setEstimatedDoF().
   }
   m_uncertainty.setFrame(cMo, fixed);
   m_cMo = cMo;

@@ -12,15 +12,14 @@
 
 BEGIN_VISP_NAMESPACE
 
-vpTrackedModelBuilder vpMbMultiCueTracker::Impl::collect(const vpTrackedModelBuilder &before,
-                                                         const std::string &modelFile,
+vpTrackedModelBuilder vpMbMultiCueTracker::Impl::collect(const vpTrackedModelBuilder &before, const std::string &file,
                                                          const vpHomogeneousMatrix &odTo) const
 {
-  if (!vpModelReader::isMesh(modelFile)) {
-    return vpPrimitiveCollector::add(before, modelFile, odTo);
+  if (!vpModelReader::isMesh(file)) {
+    return vpPrimitiveCollector::add(before, file, odTo);
   }
   vpTrackedModelBuilder collected = before;
-  vpModelReader::addTo(collected, modelFile, modelOptions.unit, odTo);
+  vpModelReader::addTo(collected, file, modelOptions.unit, odTo);
   return collected;
 }
 
@@ -33,35 +32,35 @@ void vpMbMultiCueTracker::loadModel(const std::string &modelFile, bool verbose, 
 }
 
 template <typename Pixel>
-void vpMbMultiCueTracker::Impl::replaceModel(const vpImage<Pixel> &I, const std::string &modelFile,
+void vpMbMultiCueTracker::Impl::replaceModel(const vpImage<Pixel> &I, const std::string &file,
                                              const vpHomogeneousMatrix &cMo, bool verbose,
                                              const vpHomogeneousMatrix &odTo)
 {
-  vpTrackedModelBuilder added = collect(vpTrackedModelBuilder(modelOptions), modelFile, odTo);
-  vpTrackedModel loaded = added.build(modelFile);
+  vpTrackedModelBuilder added = collect(vpTrackedModelBuilder(modelOptions), file, odTo);
+  vpTrackedModel loaded = added.build(file);
   // What a start needs, while the old model is there yet; the frame is asked for what it says of the mask.
   requireStart(I.getWidth(), I.getHeight(), loaded, cMo);
   source.frame(I, m_tracker.m_cam, m_tracker.m_mask);
   m_tracker.forgetPrimitives();
   hasMesh = false;
-  this->modelFile.clear();
+  modelFile.clear();
   m_engine.symmetries.forget();
   untracked = Untracked();
-  takeModel(std::move(added), std::move(loaded), modelFile, verbose, odTo);
+  takeModel(std::move(added), std::move(loaded), file, verbose, odTo);
 }
 
 void vpMbMultiCueTracker::Impl::takeModel(vpTrackedModelBuilder &&added, vpTrackedModel &&loaded,
-                                          const std::string &modelFile, bool verbose, const vpHomogeneousMatrix &odTo)
+                                          const std::string &file, bool verbose, const vpHomogeneousMatrix &odTo)
 {
-  if (vpModelReader::isMesh(modelFile)) {
+  if (vpModelReader::isMesh(file)) {
     hasMesh = true;
   } else {
     // What vpMbTracker itself keeps of a model (faces, their level of detail, projection error) is read once more from
     // the file, which has just been read without an error.
-    m_tracker.vpMbTracker::loadModel(modelFile, verbose, odTo);
+    m_tracker.vpMbTracker::loadModel(file, verbose, odTo);
   }
   m_tracker.modelInitialised = true;
-  m_tracker.modelFileName = modelFile;
+  m_tracker.modelFileName = file;
   parts = std::make_unique<vpTrackedModelBuilder>(std::move(added));
   m_engine.setModel(std::move(loaded));
   displayView.reset();

@@ -111,11 +111,11 @@ void vpMbOneCamera::getPolygonFaces(PerCamera<std::vector<vpPolygon>> &mapOfPoly
                                     PerCamera<std::vector<std::vector<vpPoint>>> &mapOfPoints, bool orderPolygons,
                                     bool useVisibility, bool clipPolygon)
 {
-  auto faces = getPolygonFaces(orderPolygons, useVisibility, clipPolygon);
+  auto polygons = getPolygonFaces(orderPolygons, useVisibility, clipPolygon);
   mapOfPolygons.clear();
   mapOfPoints.clear();
-  mapOfPolygons[m_referenceCameraName] = std::move(faces.first);
-  mapOfPoints[m_referenceCameraName] = std::move(faces.second);
+  mapOfPolygons[m_referenceCameraName] = std::move(polygons.first);
+  mapOfPoints[m_referenceCameraName] = std::move(polygons.second);
 }
 
 void vpMbOneCamera::getLline(const std::string &cameraName, std::list<vpMbtDistanceLine *> &linesList,

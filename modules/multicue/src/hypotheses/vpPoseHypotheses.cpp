@@ -53,10 +53,10 @@ public:
     double cost = 0.;   // Negative logarithm of the probability.
 
     // A contour tells as much as one control point does: its points are wrong together.
-    void setError(double error, std::size_t contours)
+    void setError(double error, std::size_t contourCount)
     {
       residue = std::sqrt(error);
-      cost = static_cast<double>(contours) * error / (edgeNoise * edgeNoise) + 0.5 * motion * motion;
+      cost = static_cast<double>(contourCount) * error / (edgeNoise * edgeNoise) + 0.5 * motion * motion;
     }
   };
 

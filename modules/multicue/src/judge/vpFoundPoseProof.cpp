@@ -46,7 +46,7 @@ bool vpFoundPoseProof::disproves(const vpHomogeneousMatrix &cMo, const vpObjectK
   if (weight > vpObjectKnowledge::leastTexture) {
     const bool proves = vpObjectKnowledge::countedShare(seen.correlation, knowledge.usual.surface) > proving;
     m_agreeing += proves ? 1 : 0;
-    m_undecided += vpObjectKnowledge::tellsNothing(variance) ? 1 : 0;
+    m_undecided += vpObjectKnowledge::tellsNothing(variance) ? 1U : 0U;
   }
   if (std::max(m_agreeing, m_undecided) >= neededProofs) {
     m_isOpen = false;

@@ -82,15 +82,15 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double ch
     m_tracks.push_back(found(cMo));
   }
   Track &track = m_tracks[index];
-  const double least = isSame(track.cMo, cMo) ? std::min(track.change, change) : change; // Else it jumped.
-  value -= least;
+  const double lesser = isSame(track.cMo, cMo) ? std::min(track.change, change) : change; // Else it jumped.
+  value -= lesser;
   if (!track.isSeen) {
     track.before = track.cMo;
   }
   if (!track.isSeen || value > track.value) {
     track.cMo = cMo;
     track.value = value;
-    track.change = least;
+    track.change = lesser;
     track.contours = contours;
     track.isSeen = true;
   }

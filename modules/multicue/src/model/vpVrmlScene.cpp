@@ -5,6 +5,7 @@
 
 #ifdef VISP_HAVE_COIN3D
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <Inventor/VRMLnodes/SoVRMLCoordinate.h>
 #include <Inventor/VRMLnodes/SoVRMLIndexedFaceSet.h>
@@ -87,7 +88,7 @@ void requirePlain(const SoVRMLTransform &transform)
 {
   const SbVec3f scale = transform.scale.getValue();
   const bool turned = !(transform.rotation.getValue() == SbRotation::identity());
-  const bool even = scale[0] == scale[1] && scale[1] == scale[2];
+  const bool even = vpIsSame(scale[0], scale[1]) && vpIsSame(scale[1], scale[2]);
   const bool scaled = !(scale == SbVec3f(1.F, 1.F, 1.F));
   if ((transform.center.getValue() != SbVec3f(0.F, 0.F, 0.F) && (turned || scaled)) || (!even && turned) ||
       (!even && !(transform.scaleOrientation.getValue() == SbRotation::identity()))) {

@@ -36,7 +36,7 @@ public:
     const std::string &text = line.text;
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (m_quoted) {
-        i += text[i] == '\\' ? 1 : 0;
+        i += text[i] == '\\' ? 1U : 0U;
         m_quoted = i >= text.size() || text[i] != '"';
       } else if (text[i] == '"') {
         m_quoted = true;

@@ -6,6 +6,7 @@
 
 #include <visp3/cues/vpEdgeCue.h>
 #include <visp3/se3/vpPoseImageDeviation.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <Eigen/Geometry>
 
@@ -90,7 +91,7 @@ double vpObjectMotion::predictedRange(const vpModelLooks &looks, double set) con
     largest = std::max(largest, inImage.trace());
   }
   const double usual = vpEdgeCueSettings().range;
-  const double longest = set == usual ? mostOfRange * usual : set;
+  const double longest = vpIsSame(set, usual) ? mostOfRange * usual : set;
   return std::min(std::max(reach * std::sqrt(largest), leastRange), longest);
 }
 

@@ -165,7 +165,7 @@ void vpRivalPoses::optimiseRivals(const vpFrameContext &frame, const vpHomogeneo
   }
   std::size_t added = 0;
   for (std::size_t i = 0; i < order.size() && added < mostNew; ++i) {
-    added += add(m_particles.proposals[order[i]]) ? 1 : 0;
+    added += add(m_particles.proposals[order[i]]) ? 1U : 0U;
   }
   for (vpRivalPose &rival : m_particles.rivals) {
     optimiseRival(frame, rival);

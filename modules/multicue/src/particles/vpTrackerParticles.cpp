@@ -2,6 +2,7 @@
 #include "particles/vpTrackerParticles.h"
 
 #include <visp3/se3/vpPoseModes.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ void vpTrackerParticles::move(double dt, const vpHomogeneousMatrix &bMp, const s
 
 double vpTrackerParticles::likelihood(double distance, double least, double range) const
 {
-  if (distance == impossible) {
+  if (vpIsSame(distance, impossible)) {
     return nothing;
   }
   const double share = range > 0. ? (distance - least) / range : 0.;
@@ -121,7 +122,7 @@ bool vpTrackerParticles::weighDistances(const std::vector<double> &distances,
   double largest = 0.;
   for (const std::vector<double> *part : {&distances, &optimisedDistances}) {
     for (const double distance : *part) {
-      if (distance != impossible) {
+      if (vpIsOther(distance, impossible)) {
         least = std::min(least, distance);
         largest = std::max(largest, distance);
       }
@@ -184,7 +185,7 @@ std::vector<std::size_t> vpTrackerParticles::best(const std::vector<double> &dis
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (distances[i] != impossible) {
+    if (vpIsOther(distances[i], impossible)) {
       order.push_back(i);
     }
   }

@@ -75,15 +75,15 @@ struct vpModelColors::Sums
       }
     }
 
-    // Of count places. What noise alone varies by correlates with nothing.
-    float correlation(float count) const
+    // Of so many places. What noise alone varies by correlates with nothing.
+    float correlation(float places) const
     {
-      const float least = noise * count;
+      const float least = noise * places;
       return xy / std::sqrt((std::max(xx, 0.F) + least) * (std::max(yy, 0.F) + least));
     }
 
     // How much it says: foil and glints vary by much of which the model's colours know nothing.
-    float weight(float count) const { return std::max(xx, 0.F) / (std::max(yy, 0.F) + noise * count); }
+    float weight(float places) const { return std::max(xx, 0.F) / (std::max(yy, 0.F) + noise * places); }
   };
   std::array<Mean, groups> brightnessMeans;
   std::array<Mean, 2> tintMeans;

@@ -17,8 +17,6 @@ const float fullOdds = 2.F;
 const double leastInside = 0.15;
 // What is outside the image supports nothing: of a pose that is just about to leave it.
 const double outsideCost = 0.2;
-// A surface of nearly one colour tells little: below this, its part counts for less.
-const double fullContrast = 12.; // Gray levels.
 } // namespace
 
 struct vpPoseScore::Sums

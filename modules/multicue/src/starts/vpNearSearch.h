@@ -10,10 +10,10 @@ BEGIN_VISP_NAMESPACE
 class vpNearSearch
 {
 public:
-  vpNearSearch(const vpModelLooks &looks, const vpCueSet &cues, const vpObjectMotion &motion, vpImageScore &score,
+  vpNearSearch(const vpModelLooks &looks, const vpObjectMotion &motion, vpImageScore &score,
                const vpTrackerSymmetries &symmetries, const vpTrackerParticles &particles, vpAttempts &attempts)
-      : m_looks(looks), m_cues(cues), m_motion(motion), m_score(score), m_symmetries(symmetries),
-        m_particles(particles), m_attempts(attempts)
+      : m_looks(looks), m_motion(motion), m_score(score), m_symmetries(symmetries), m_particles(particles),
+        m_attempts(attempts)
   {
   }
 
@@ -24,7 +24,6 @@ public:
 
 private:
   const vpModelLooks &m_looks;
-  const vpCueSet &m_cues;
   const vpObjectMotion &m_motion;
   vpImageScore &m_score;
   const vpTrackerSymmetries &m_symmetries;

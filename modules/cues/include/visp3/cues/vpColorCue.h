@@ -6,6 +6,7 @@
 #include <visp3/cues/vpColorHistograms.h>
 #include <visp3/cues/vpColorMemory.h>
 #include <visp3/cues/vpPoseCue.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <array>
 #include <cstdint>
@@ -138,7 +139,7 @@ private:
   bool isCoarse() const { return m_level < m_settings.scales.size(); }
   double band() const { return m_settings.bands[m_level - m_settings.scales.size()]; }
   bool hasRowPerPixel() const { return !isCoarseMatch() && m_settings.rows == vpColorCueSettings::PIXELS; }
-  bool isCoarseMatch() const { return m_matchedBand == 0.; }
+  bool isCoarseMatch() const { return vpIsZero(m_matchedBand); }
   std::size_t rowsOf(const Line &line) const;
   // Pixels of a line: strip(i)[offset].
   const std::uint32_t *strip(std::size_t line) const

@@ -26,5 +26,12 @@ inline bool vpIsOther(double a, double b)
   return !vpIsSame(a, b);
 }
 
+//! \ingroup group_se3 True for zero alone, of either sign: where it says that there is nothing, as in a depth buffer,
+//! or where it would be divided by.
+inline bool vpIsZero(double value)
+{
+  return vpIsSame(value, 0.);
+}
+
 END_VISP_NAMESPACE
 #endif
