@@ -3,40 +3,26 @@
 
 #include <catchMain.h>
 
-namespace {
-vpJudgedPose judged(double explained, double value, bool isFar)
+TEST_CASE("More that is explained is better odds, everywhere", "[judged-pose]")
 {
-  vpJudgedPose pose;
-  pose.explained = explained;
-  pose.value = value;
-  pose.isFar = isFar;
-  return pose;
-}
-} // namespace
-
-TEST_CASE("The larger value wins, and anything wins over no pose at all", "[judged-pose]")
-{
-  CHECK(judged(0.8, 0.7, false).isBetterThan(judged(0.9, 0.6, false), false));
-  CHECK_FALSE(judged(0.9, 0.6, false).isBetterThan(judged(0.8, 0.7, false), false));
-  CHECK(judged(0.1, -0.2, false).isBetterThan(vpJudgedPose(), false));
-  CHECK(judged(0.1, -0.2, true).isBetterThan(vpJudgedPose(), false));
+  for (double share = -0.5; share < 1.5; share += 0.05) {
+    CAPTURE(share);
+    CHECK(vpJudgedPose::oddsOf(share + 0.05) > vpJudgedPose::oddsOf(share));
+  }
 }
 
-TEST_CASE("The object does not jump while a pose where it is expected explains the image", "[judged-pose]")
+TEST_CASE("Odds are even between what right and what wrong poses explain, and bounded", "[judged-pose]")
 {
-  const vpJudgedPose far = judged(1.1, 0.8, true);
-  const vpJudgedPose near = judged(0.45, 0.45, false); // What hides it takes much away.
-  CHECK_FALSE(far.isBetterThan(near, false));
-  CHECK(near.isBetterThan(far, false)); // Whichever came first.
-  SECTION("it may have jumped where that explains little")
-  {
-    const vpJudgedPose poor = judged(0.35, 0.35, false);
-    CHECK(far.isBetterThan(poor, false));
-    CHECK_FALSE(poor.isBetterThan(far, false));
-  }
-  SECTION("it may be anywhere where it is lost")
-  {
-    CHECK(far.isBetterThan(near, true));
-    CHECK_FALSE(near.isBetterThan(far, true));
-  }
+  CHECK(vpJudgedPose::oddsOf(vpJudgedPose::badlyExplained) < 0.);
+  CHECK(vpJudgedPose::oddsOf(vpJudgedPose::badlyExplained) > -1.5);
+  CHECK(vpJudgedPose::oddsOf(0.8) > 0.5);
+  CHECK(vpJudgedPose::oddsOf(0.) > -8.); // One image proves nothing.
+  CHECK(vpJudgedPose::oddsOf(1.2) < 5.);
+}
+
+TEST_CASE("What explains an image is enough, what may well be wrong is not", "[judged-pose]")
+{
+  CHECK(vpJudgedPose::oddsOf(0.9) > vpJudgedPose::enoughOdds);
+  CHECK(vpJudgedPose::oddsOf(0.7) < vpJudgedPose::enoughOdds);
+  CHECK(vpJudgedPose().value < vpJudgedPose::oddsOf(-1.)); // Anything wins over no pose at all.
 }

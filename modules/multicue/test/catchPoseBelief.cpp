@@ -65,7 +65,7 @@ TEST_CASE(
   const auto followed = [](unsigned int frames, double explained) {
     vpPoseBelief belief = begunWith(0.99);
     for (unsigned int i = 0; i < frames; ++i) {
-      belief.updateFollowed(0., explained);
+      belief.updateFollowed(0., explained, 0.);
     }
     return belief.probability();
   };
@@ -73,6 +73,20 @@ TEST_CASE(
   CHECK(followed(30, 0.9) > 0.97);
   CHECK(followed(8, 0.) > 0.8);
   CHECK(followed(8, 0.) == exactly(followed(8, 0.6)));
+}
+
+TEST_CASE("A followed pose that jumped is believed as far as this image and its motion go", "[pose-belief]")
+{
+  const auto jumped = [](double before, double odds) {
+    vpPoseBelief belief = begunWith(before);
+    belief.updateFollowed(1e9, 1., odds);
+    return belief.probability();
+  };
+  CHECK(jumped(0.99, 2.) == Approx(jumped(0.1, 2.)).epsilon(1e-6));
+  CHECK(jumped(0.99, 2.) > 0.9);
+  CHECK(jumped(0.99, -3.) < 0.2);
+  CHECK(jumped(0.99, 0.) > jumped(0.99, -1.));
+  CHECK(jumped(0.99, -HUGE_VAL) > 0.); // It can be turned.
 }
 
 TEST_CASE("The belief stays a probability that can be turned", "[pose-belief]")

@@ -193,7 +193,7 @@ TEST_CASE("Poses near the expected one are likelier than those far from it", "[p
   Judged scene;
   scene.score.setImage(nullptr, nullptr, nullptr, scene.camera, scene.width, scene.height);
   vpPoseSearch search(scene.score, *scene.model, 1);
-  search.setPrior(truth, {0.1, 0.3, 0.1}, 0.02);
+  search.setPrior({truth}, {0.1, 0.3, 0.1}, vpPoseSearch::Tail::LIGHT);
   search.scatter({truth}, {0.1, 0.3, 0.1}, 20);
   search.score();
   search.keepBest(30, {1e-9, 1e-9, 1e-9});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "judge/vpContourEvidence.cpp" // The library keeps them to itself.
+#include "judge/vpJudgedPose.h"
 #include "judge/vpPoseBelief.cpp"
 #include "judge/vpPoseTracks.cpp"
 
@@ -18,14 +19,20 @@ bool isSame(const vpHomogeneousMatrix &c1Mo, const vpHomogeneousMatrix &c2Mo)
   return std::abs(c1Mo[0][3] - c2Mo[0][3]) < 0.05;
 }
 
-//! A frame in which a search finds poses with these values; those that are followed stay where they are.
+//! A pose that explains as much in this frame. \return What it is compared by.
+double add(vpPoseTracks &tracks, double x, double explained, double change = 0.)
+{
+  return tracks.add(at(x), explained, vpJudgedPose::oddsOf(explained), change, isSame);
+}
+
+//! A frame in which a search finds poses that explain as much; those that are followed stay where they are.
 void frame(vpPoseTracks &tracks, const std::vector<std::pair<double, double>> &found,
            vpPoseTracks::Seen seen = vpPoseTracks::Seen::WELL)
 {
-  double best = -1.;
+  double best = -HUGE_VAL;
   vpHomogeneousMatrix chosen;
   for (const auto &[x, value] : found) {
-    const double compared = tracks.add(at(x), value, 0., isSame);
+    const double compared = add(tracks, x, value);
     if (compared > best) {
       best = compared;
       chosen = at(x);
@@ -42,11 +49,11 @@ template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
   for (const vpPoseTracks::Track &track : tracks.tracks()) {
     poses.push_back(track.cMo);
   }
-  double best = -1.;
+  double best = -HUGE_VAL;
   vpHomogeneousMatrix chosen;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     tracks.follow(i);
-    const double compared = tracks.add(poses[i], valueAt(poses[i][0][3]), 0., isSame);
+    const double compared = add(tracks, poses[i][0][3], valueAt(poses[i][0][3]));
     tracks.followNone();
     if (compared > best) {
       best = compared;
@@ -61,7 +68,7 @@ template <typename Value> void followed(vpPoseTracks &tracks, Value valueAt)
 void followFirst(vpPoseTracks &tracks, const vpHomogeneousMatrix &cMo, double value)
 {
   tracks.follow(0);
-  tracks.add(cMo, value, 0., isSame);
+  add(tracks, cMo[0][3], value);
   tracks.followNone();
 }
 
@@ -73,9 +80,9 @@ double chosenAt(vpPoseTracks &tracks)
 vpPoseTracks followedFor(unsigned int frames)
 {
   vpPoseTracks tracks;
-  frame(tracks, {{0., 0.7}});
+  frame(tracks, {{0., 0.85}});
   for (unsigned int i = 1; i < frames; ++i) {
-    followed(tracks, [](double) { return 0.7; });
+    followed(tracks, [](double) { return 0.85; });
   }
   return tracks;
 }
@@ -84,34 +91,34 @@ vpPoseTracks followedFor(unsigned int frames)
 TEST_CASE("A pose that is followed keeps the least penalty for where it is", "[tracks]")
 {
   vpPoseTracks tracks;
-  tracks.add(at(0.), 1., 0.1, isSame);
+  add(tracks, 0., 1., 0.1);
   tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
   tracks.follow(0);
-  const double moved = tracks.add(at(0.04), 1., 0.4, isSame); // With the object.
+  const double moved = add(tracks, 0.04, 1., 0.4); // With the object.
   tracks.followNone();
   vpPoseTracks other;
-  other.add(at(0.), 1., 0.1, isSame);
+  add(other, 0., 1., 0.1);
   other.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
-  CHECK(moved == exactly(other.add(at(0.), 1., 0.1, isSame)));
+  CHECK(moved == exactly(add(other, 0., 1., 0.1)));
   tracks.follow(0);
-  CHECK(tracks.add(at(0.3), 1., 0.4, isSame) == Approx(moved - 0.3 / 2.)); // It jumped: the mean of two frames.
+  CHECK(add(tracks, 0.3, 1., 0.4) == Approx(moved - 0.3)); // It jumped.
   tracks.followNone();
-  CHECK(other.add(at(1.), 1., 0.1, isSame) == Approx(other.add(at(2.), 1., 0.4, isSame) + 0.3)); // Found just now.
+  CHECK(add(other, 1., 1., 0.1) == Approx(add(other, 2., 1., 0.4) + 0.3)); // Found just now.
 }
 
 TEST_CASE("One better image does not move a pose that was followed, some on end do", "[pose-tracks]")
 {
   vpPoseTracks tracks = followedFor(6);
-  followFirst(tracks, at(0.), 0.7);
-  const double old = tracks.add(at(0.), 0.7, 0., isSame);
-  CHECK(tracks.add(at(1.), 0.9, 0., isSame) < old);
+  followFirst(tracks, at(0.), 0.85);
+  const double old = add(tracks, 0., 0.85);
+  CHECK(add(tracks, 1., 0.9) < old);
   tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
   CHECK(chosenAt(tracks) == exactly(0.));
   REQUIRE(tracks.tracks().size() == 2);
 
   unsigned int frames = 0;
   for (; frames < 10 && chosenAt(tracks) == exactly(0.); ++frames) {
-    followed(tracks, [](double x) { return x > 0.5 ? 0.9 : 0.7; });
+    followed(tracks, [](double x) { return x > 0.5 ? 1. : 0.85; });
   }
   CHECK(frames >= 1);
   CHECK(frames <= 4);
@@ -121,15 +128,15 @@ TEST_CASE("A pose that is found from another one goes on as that one", "[pose-tr
 {
   vpPoseTracks tracks = followedFor(6);
   tracks.follow(at(0.01), isSame);
-  const double corrected = tracks.add(at(0.2), 0.9, 0., isSame);
+  const double corrected = add(tracks, 0.2, 0.9);
   tracks.followNone();
-  CHECK(corrected > tracks.add(at(1.), 0.9, 0., isSame)); // A new one.
+  CHECK(corrected > add(tracks, 1., 0.9)); // A new one.
   tracks.choose(at(0.2), vpPoseTracks::Seen::WELL, isSame);
   CHECK(chosenAt(tracks) == exactly(0.2));
   CHECK(tracks.tracks().size() == 2);
 
   tracks.follow(at(3.), isSame); // There is none.
-  CHECK(tracks.add(at(0.2), 0.9, 0., isSame) > tracks.add(at(3.), 0.9, 0., isSame));
+  CHECK(add(tracks, 0.2, 0.9) > add(tracks, 3., 0.9));
 }
 
 TEST_CASE("A pose that explains nothing ends, others stay up to three, the same ones become one", "[pose-tracks]")
@@ -148,13 +155,13 @@ TEST_CASE("A lead over what was looked for counts by the frame", "[pose-tracks]"
   vpPoseTracks tracks;
   for (unsigned int i = 1; i <= 4; ++i) {
     frame(tracks, {{0., 0.7}, {1., 0.4}});
-    CHECK(tracks.lead() == Approx(0.3));
+    CHECK(tracks.lead() == Approx(vpJudgedPose::oddsOf(0.7) - vpJudgedPose::oddsOf(0.4)));
     CHECK(tracks.ahead() == i);
   }
   SECTION("not in a frame without a search")
   {
-    tracks.add(at(0.), 0.7, 0., isSame);
-    tracks.add(at(1.), 0.4, 0., isSame);
+    add(tracks, 0., 0.7);
+    add(tracks, 1., 0.4);
     tracks.choose(at(0.), vpPoseTracks::Seen::WELL, isSame);
     CHECK(tracks.lead() == exactly(0.));
     CHECK(tracks.ahead() == 0);
@@ -186,10 +193,10 @@ TEST_CASE("Each pose has its own belief and confirmations", "[pose-tracks]")
   vpPoseBelief believed;
   believed.start(0.9);
   vpPoseTracks tracks;
-  tracks.begin(at(0.), at(-0.02), 0.8, believed);
+  tracks.begin(at(0.), at(-0.02), believed);
   CHECK(tracks.chosen().before[0][3] == exactly(-0.02));
   followFirst(tracks, at(0.02), 0.8);
-  tracks.add(at(1.), 0.8, 0., isSame);
+  add(tracks, 1., 0.8);
   tracks.choose(at(0.02), vpPoseTracks::Seen::WELL, isSame);
   CHECK(tracks.chosen().belief.probability() == Approx(0.9));
   CHECK(tracks.chosen().before[0][3] == exactly(0.));
@@ -256,14 +263,14 @@ TEST_CASE("Others have to be looked for while enough is seen, and to have some f
 TEST_CASE("What the followed pose explains is known once it was looked at in a frame", "[pose-tracks]")
 {
   vpPoseTracks tracks = followedFor(manyFrames);
-  CHECK_FALSE(tracks.followedValue() > -1.);
+  CHECK(tracks.followedValue() == exactly(-HUGE_VAL));
   tracks.follow(0);
-  CHECK_FALSE(tracks.followedValue() > -1.);
-  tracks.add(at(0.), 0.5, 0., isSame);
-  tracks.add(at(0.), 0.4, 0., isSame);
-  CHECK(tracks.followedValue() == exactly(0.5));
+  CHECK(tracks.followedValue() == exactly(-HUGE_VAL));
+  add(tracks, 0., 0.5);
+  add(tracks, 0., 0.4);
+  CHECK(tracks.followedValue() == exactly(vpJudgedPose::oddsOf(0.5)));
   tracks.followNone();
-  CHECK_FALSE(tracks.followedValue() > -1.);
+  CHECK(tracks.followedValue() == exactly(-HUGE_VAL));
 }
 
 TEST_CASE("A pose that was worse before it settled contests the first one", "[pose-tracks]")

@@ -9,7 +9,7 @@ const double rightAtStart = 0.98; // Probability of a pose that the user gave.
 const double whole = 0.7;
 // Of a pose that is followed but not trusted: the filter takes its covariance times this.
 const double doubtOfMotion = 10.;
-const double mostOfMotion = 4.; // Squared distance from the expected pose, in deviations; beyond it, it jumped.
+const double mostOfMotion = 36.; // Squared distance from the expected pose, in deviations; beyond it, it jumped.
 } // namespace
 
 void vpLearning::forget()

@@ -134,7 +134,7 @@ vpMultiCueEngine::Found vpMultiCueEngine::fuse(const vpFrameContext &frame)
     edges.clearHypotheses();
   }
   if (situation.mustConfirm) {
-    m_watch.beginAfterLoss(motion.expected(), m_attempts.best().explained);
+    m_watch.beginAfterLoss(motion.expected());
   }
   m_attempts.begin();
   m_knowledge.mostAgreeing = 0;

@@ -10,8 +10,8 @@ namespace {
 // and a pose that jumped farther was corrected, which tells nothing of the next frame.
 const double leastMoved = 0.01;
 const double mostMoved = 0.4;
-// Of a pose that explains more where it was, a pose ahead may as well be its drift.
-const double valueToStay = 0.65;
+// Of a pose that is as likely where it was, a pose ahead may as well be its drift. Logarithm of odds.
+const double valueToStay = -0.9;
 } // namespace
 
 void vpStartPlan::run(const vpFrameContext &frame)
@@ -95,7 +95,7 @@ bool vpStartPlan::tryHint(const vpFrameContext &frame)
     m_motion.expect(start);
     isEnough = m_attempts.attempt(frame, {start, vpStart::BY_COLORS});
   }
-  if (m_attempts.best().value > before.value + vpHintedStarts::leastGain) {
+  if (m_attempts.best().value > before.value + vpHintedStarts::leastOdds) {
     m_motion.expect(m_attempts.best().cMo); // That it moved so far is no surprise.
     m_motion.forget();
     return isEnough;

@@ -73,7 +73,7 @@ void vpTwinComparison::search(const vpFrameContext &frame, const vpHomogeneousMa
   m_score.setFrame(frame);
   vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
   search.setSymmetries(m_symmetries.get());
-  search.setPrior(followed, vpPoseSearch::near(), vpPoseSearch::usualPrior);
+  search.setPrior({followed}, vpPoseSearch::near(), vpPoseSearch::Tail::LIGHT);
   search.scatter({followed}, vpPoseSearch::near(), searched);
   m_score.settle(search);
   search.keepBest(mostFound, vpPoseSearch::same());

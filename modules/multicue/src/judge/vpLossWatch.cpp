@@ -35,17 +35,19 @@ const double leastBelief = 0.6;
 const unsigned int mostDisbelieved = 2;
 // Logarithm of the factor between distances: one that changed by more needs a surface that agrees.
 const double mostDepthChange = 0.5;
-const double mostLead = 0.25;   // That counts, of what a pose explains more than others.
+// What a pose explains more than others, for a lead in the logarithm of odds; and the most of it that counts.
+const double shareOfLead = 1. / 22.;
+const double mostLead = 0.25;
 const double rightOfTwin = 0.5; // Probability of one that has won.
 const double mostSudden = 5.5;  // Frames from one that explained a right pose well to a loss that came at once.
 // An object that was trusted in fewer frames until it was lost again was something else, perhaps.
 const unsigned int fewTrusted = 10;
 } // namespace
 
-void vpLossWatch::beginAfterLoss(const vpHomogeneousMatrix &cMo, double explained)
+void vpLossWatch::beginAfterLoss(const vpHomogeneousMatrix &cMo)
 {
   recallLearnt();
-  beginTracks(cMo, explained);
+  beginTracks(cMo);
 }
 
 // The last frame's results are of what was learnt then.
@@ -75,7 +77,7 @@ void vpLossWatch::recallLearnt()
 }
 
 // The first attempts of a frame go on from where the last one left.
-void vpLossWatch::beginTracks(const vpHomogeneousMatrix &cMo, double explained)
+void vpLossWatch::beginTracks(const vpHomogeneousMatrix &cMo)
 {
   vpPoseTracks &tracks = m_situation.tracks;
   if (m_outcome.isLost()) {
@@ -87,7 +89,7 @@ void vpLossWatch::beginTracks(const vpHomogeneousMatrix &cMo, double explained)
         m_motion.mayCoast()
             ? vpEvenMotion(cMo, m_motion.kalman.velocity(), m_looks.model().centre(), -m_motion.frameInterval)
             : cMo;
-    tracks.begin(cMo, before, explained, m_situation.belief);
+    tracks.begin(cMo, before, m_situation.belief);
   }
   tracks.follow(0);
 }
@@ -166,7 +168,8 @@ void vpLossWatch::confirmState(const Found &found)
   const bool isExplained = m_outcome.isTracking();
   now.outsideFrames = inside < leastInside ? now.outsideFrames + 1 : 0;
   now.doubtfulFrames = isExplained ? 0 : now.doubtfulFrames + 1;
-  if (now.outsideFrames >= mostOutside || now.doubtfulFrames >= mostDoubt || found.best.isFar) {
+  if (now.outsideFrames >= mostOutside || now.doubtfulFrames >= mostDoubt ||
+      (found.best.isFar && found.best.value < 0.)) {
     noteLoss();
   }
   if (inside < leastInside) {
@@ -221,16 +224,16 @@ void vpLossWatch::believe(const Found &found, bool searches)
   const double surprise = m_motion.surpriseAt(found.cMo, m_looks.model());
   if (m_situation.mustConfirm) {
     belief.doubt();
-    const double lead = std::min(std::max(m_situation.tracks.lead(), 0.), mostLead);
+    const double lead = std::min(std::max(shareOfLead * m_situation.tracks.lead(), 0.), mostLead);
     belief.update(surprise, found.best.explained + lead);
   } else {
-    belief.updateFollowed(surprise, found.best.explained);
+    belief.updateFollowed(surprise, found.best.explained, found.best.value);
   }
   m_situation.disbelievedFrames = belief.probability() < leastBelief ? m_situation.disbelievedFrames + 1 : 0;
   if (searches && m_situation.disbelievedFrames >= mostDisbelieved) {
     noteLoss();
   }
-  const double needed = m_situation.wasTracking ? keptBelief : trustedBelief;
+  const double needed = m_situation.wasTracking && !found.best.isFar ? keptBelief : trustedBelief;
   const bool isBelieved = !searches || believed() >= needed;
   if (m_outcome.isTracking() && !isBelieved) {
     m_outcome.set(vpTrackingState::UNCERTAIN, Reason::CONFIRMING);

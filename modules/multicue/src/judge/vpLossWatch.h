@@ -35,8 +35,8 @@ public:
   {
   }
 
-  //! After a loss, a frame begins. \param cMo Of the frame before. \param explained Of its best pose.
-  void beginAfterLoss(const vpHomogeneousMatrix &cMo, double explained);
+  //! After a loss, a frame begins. \param cMo Of the frame before.
+  void beginAfterLoss(const vpHomogeneousMatrix &cMo);
   //! Ends the frame: the outcome becomes the final one. \param searches A lost object is looked for.
   void decide(const Found &found, bool searches);
   //! At a twin that won: what was learnt since the object was found is of the wrong pose.
@@ -50,7 +50,7 @@ public:
 
 private:
   void recallLearnt();
-  void beginTracks(const vpHomogeneousMatrix &cMo, double explained);
+  void beginTracks(const vpHomogeneousMatrix &cMo);
   void chooseTrack(const Found &found);
   void endTracks(const vpHomogeneousMatrix &cMo);
   void confirm(const Found &found);

@@ -7,7 +7,7 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const double unsurprising = 2.; // Of the squared distance: one pose in two that is as far off has jumped.
+const double unsurprising = 18.; // Of the squared distance: one pose in two that is as far off has jumped.
 const double staysRight = 0.995;
 const double becomesRight = 0.03;
 const double rightAfterJump = 0.3;
@@ -26,25 +26,44 @@ const double mostExplained = 1.1;
 const double least = 0.002;
 const double most = 0.995;
 const double lossFactor = 0.5;
+// Of a pose that the object jumped to, beside the logarithm of its odds: of those that vpJudgedPose::oddsOf() tells of,
+// there were exp(1.5) right ones for each wrong one at 0, exp(3) at 1, exp(4.1) at 2.
+const double oddsOfJump = 0.7;
 } // namespace
 
 void vpPoseBelief::update(double jump, double explained)
 {
-  updateBy(jump, gain * (std::min(explained, mostExplained) - middle));
+  const double jumped = jump / (unsurprising + jump);
+  const double before = (1. - jumped) * followed() + jumped * rightAfterJump;
+  set(corrected(before, gain * (std::min(explained, mostExplained) - middle)));
 }
 
-void vpPoseBelief::updateFollowed(double jump, double explained)
-{
-  updateBy(jump, std::max(gain * (std::min(explained, mostExplained) - middleOfFollowed), -mostLoss));
-}
-
-void vpPoseBelief::updateBy(double jump, double gained)
+void vpPoseBelief::updateFollowed(double jump, double explained, double odds)
 {
   const double jumped = jump / (unsurprising + jump);
-  const double followed = staysRight * m_probability + becomesRight * (1. - m_probability);
-  const double before = (1. - jumped) * followed + jumped * rightAfterJump;
+  const double gained = std::max(gain * (std::min(explained, mostExplained) - middleOfFollowed), -mostLoss);
+  set((1. - jumped) * corrected(followed(), gained) + jumped * corrected(0.5, odds + oddsOfJump));
+}
+
+double vpPoseBelief::followed() const
+{
+  return staysRight * m_probability + becomesRight * (1. - m_probability);
+}
+
+double vpPoseBelief::corrected(double before, double gained)
+{
   const double odds = before / (1. - before) * std::exp(gained);
-  m_probability = std::min(std::max(odds / (1. + odds), least), most);
+  return odds / (1. + odds);
+}
+
+void vpPoseBelief::set(double probability)
+{
+  m_probability = std::min(std::max(probability, least), most);
+}
+
+double vpPoseBelief::odds() const
+{
+  return std::log(m_probability / (1. - m_probability));
 }
 
 void vpPoseBelief::doubt()

@@ -28,17 +28,23 @@ public:
   //! Of a pose that was found. \param jump Squared distance to the expected pose, in deviations. \param explained
   //! Share, about 1 where all is well.
   void update(double jump, double explained);
-  //! Of one that is followed from frame to frame.
-  void updateFollowed(double jump, double explained);
+  //! Of one that is followed from frame to frame. \param odds Of it among others by this image and how it moved, as a
+  //! logarithm: what there is to go by where it jumped.
+  void updateFollowed(double jump, double explained, double odds);
   //! The pose has to be confirmed: nothing but the images of this frame and those to come speaks for it.
   void doubt();
   //! There is no pose.
   void lose();
   double probability() const { return m_probability; }
+  //! The same as a logarithm of odds.
+  double odds() const;
 
 private:
+  //! Expected from the frame before.
+  double followed() const;
   //! \param gained Logarithm of the factor of the odds.
-  void updateBy(double jump, double gained);
+  static double corrected(double before, double gained);
+  void set(double probability);
 
   double m_probability = 0.;
 };

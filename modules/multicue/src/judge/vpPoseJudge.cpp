@@ -26,10 +26,11 @@ const double edgesByChance = 0.25;
 // The same of the distance map.
 const double mapByChance = 0.3;
 // Of a pose with exp(-1) times the usual number of edges, and the most of them that counts.
-const double fewPenalty = 0.2;
-const double mostFewPenalty = 0.4;
+// Logarithms of odds.
+const double fewPenalty = 2.2;
+const double mostFewPenalty = 4.4;
 // Penalty of a pose with so few edges that others are looked for.
-const double fewEdges = 0.2;
+const double fewEdges = 2.2;
 // Of the usual surface: from there on no other pose looks like it, and below that it shows something else.
 const double decisiveSurface = 0.7;
 const double contradictingSurface = 0.35;

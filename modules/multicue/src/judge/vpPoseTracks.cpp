@@ -8,21 +8,16 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 const std::size_t mostTracks = 3;
-const double doubtOfOne = 0.4; // Of a pose that was seen in one frame.
-const double mostFrames = 6.;
-const double framesOfBelieved = 4.; // That a pose is worth which is believed for certain.
-const double rightAtFirst = 0.3;    // Of a pose that a search found.
-const double contestedMargin = 0.05;
-const double leastValue = 0.3; // Below it a track ends.
-const double leastLead = 0.1;
-const unsigned int framesToCompare = 4; // A track of fewer may be better than its mean, by as much:
-const double youngMargin = 0.1;
-const double leastMean = 0.55; // Of one that is ahead.
-
-double standing(double mean, double frames)
-{
-  return mean - doubtOfOne / std::sqrt(frames);
-}
+// What the frames before count beside one more: those on end are alike.
+const double keptOdds = 0.5;
+const double rightAtFirst = 0.3; // Of a pose that a search found.
+// Logarithms of odds, as all that follow:
+const double contestedMargin = 0.4; // Of 0.05 in shares, where both explain all.
+const double leastValue = -5.;      // Below it a track ends.
+const double leastLead = 2.;
+const unsigned int framesToCompare = 4; // A track of fewer may be better than it seems, by as much:
+const double youngMargin = 2.;
+const double leastOdds = -4.; // Of one that is ahead.
 
 // By a search.
 vpPoseTracks::Track found(const vpHomogeneousMatrix &cMo)
@@ -33,15 +28,10 @@ vpPoseTracks::Track found(const vpHomogeneousMatrix &cMo)
   return track;
 }
 
-double grown(double frames)
+// With what one more frame says.
+double oddsWith(const vpPoseTracks::Track &track, double value)
 {
-  return std::min(frames + 1., mostFrames);
-}
-
-// With what it explains in one more frame.
-double meanWith(const vpPoseTracks::Track &track, double value)
-{
-  return track.mean + (value - track.mean) / grown(track.frames);
+  return std::max(keptOdds * track.odds, 0.) + value;
 }
 } // namespace
 
@@ -53,15 +43,13 @@ void vpPoseTracks::clear()
   m_lead = 0.;
 }
 
-void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &before, double explained,
-                         const vpPoseBelief &belief)
+void vpPoseTracks::begin(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &before, const vpPoseBelief &belief)
 {
   clear();
   Track track;
   track.cMo = cMo;
   track.before = before;
-  track.mean = explained;
-  track.frames = framesOfBelieved * belief.probability();
+  track.odds = belief.odds();
   track.belief = belief;
   m_tracks.push_back(track);
 }
@@ -73,8 +61,8 @@ std::size_t vpPoseTracks::indexOf(const vpHomogeneousMatrix &cMo, const Same &is
   return found == m_tracks.end() ? none : static_cast<std::size_t>(found - m_tracks.begin());
 }
 
-double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame,
-                         const vpContourEvidence &contours)
+double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double explained, double value, double change,
+                         const Same &isSame, const vpContourEvidence &contours)
 {
   std::size_t index = m_followed != none ? m_followed : indexOf(cMo, isSame);
   if (index == none) {
@@ -83,39 +71,39 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double value, double ch
   }
   Track &track = m_tracks[index];
   const double lesser = isSame(track.cMo, cMo) ? std::min(track.change, change) : change; // Else it jumped.
-  value -= lesser;
   if (!track.isSeen) {
     track.before = track.cMo;
   }
-  if (!track.isSeen || value > track.value) {
+  if (!track.isSeen || value - lesser > track.value - track.change) {
     track.cMo = cMo;
+    track.explained = explained;
     track.value = value;
     track.change = lesser;
     track.contours = contours;
     track.isSeen = true;
   }
-  return standing(meanWith(track, value), grown(track.frames));
+  return oddsWith(track, value) - lesser;
 }
 
 double vpPoseTracks::followedValue() const
 {
-  return m_followed < m_tracks.size() && m_tracks[m_followed].isSeen ? m_tracks[m_followed].value : -HUGE_VAL;
+  const bool isSeen = m_followed < m_tracks.size() && m_tracks[m_followed].isSeen;
+  return isSeen ? m_tracks[m_followed].value - m_tracks[m_followed].change : -HUGE_VAL;
 }
 
 // What each track explains in this frame is told to it.
 void vpPoseTracks::endFrame()
 {
   m_followed = none;
-  const auto ends = [](const Track &track) { return !track.isSeen || track.value < leastValue; };
+  const auto ends = [](const Track &track) { return !track.isSeen || track.value - track.change < leastValue; };
   m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), ends), m_tracks.end());
   for (Track &track : m_tracks) {
-    track.mean = meanWith(track, track.value);
-    track.frames = grown(track.frames);
+    track.odds = oddsWith(track, track.value);
+    ++track.frames;
     track.isSeen = false;
   }
-  std::stable_sort(m_tracks.begin(), m_tracks.end(), [](const Track &a, const Track &b) {
-    return standing(a.mean, a.frames) > standing(b.mean, b.frames);
-  });
+  std::stable_sort(m_tracks.begin(), m_tracks.end(),
+                   [](const Track &a, const Track &b) { return a.standing() > b.standing(); });
 }
 
 void vpPoseTracks::dropDoubles(const Same &isSame)
@@ -155,16 +143,16 @@ void vpPoseTracks::choose(const vpHomogeneousMatrix &cMo, Seen seen, const Same 
   compareContours();
   for (std::size_t i = 1; i < m_tracks.size(); ++i) {
     Track &other = m_tracks[i];
-    other.belief.update(0., other.value);
-    other.confirmations = other.value < confirming ? 0 : other.confirmations + 1;
+    other.belief.update(0., other.explained);
+    other.confirmations = other.explained < confirming ? 0 : other.confirmations + 1;
     other.ahead = 0;
   }
   Track &first = m_tracks.front();
   const bool isCompared = first.compared > 0 || (m_hasOthers && seen != Seen::LITTLE);
   first.compared = isCompared ? first.compared + 1 : 0;
-  m_lead = seen == Seen::WELL && m_hasSearched && m_tracks.size() > 1 ? first.mean - m_tracks[1].mean : 0.;
+  m_lead = seen == Seen::WELL && m_hasSearched && m_tracks.size() > 1 ? first.standing() - m_tracks[1].standing() : 0.;
   m_hasSearched = m_hasOthers = false;
-  first.ahead = m_lead > leastLead && first.mean > leastMean ? first.ahead + 1 : 0;
+  first.ahead = m_lead > leastLead && first.standing() > leastOdds ? first.ahead + 1 : 0;
 }
 
 bool vpPoseTracks::isCompared() const
@@ -173,17 +161,18 @@ bool vpPoseTracks::isCompared() const
     return false;
   }
   return std::none_of(m_tracks.begin() + 1, m_tracks.end(), [this](const Track &other) {
-    return other.frames < framesToCompare && other.mean > m_tracks.front().mean - youngMargin;
+    return other.frames < framesToCompare && other.standing() > m_tracks.front().standing() - youngMargin;
   });
 }
 
 bool vpPoseTracks::isContested() const
 {
-  if (m_tracks.size() < 2 || !(m_tracks[1].frames > 1.)) {
+  if (m_tracks.size() < 2 || m_tracks[1].frames < 2) {
     return false;
   }
   const Track &other = m_tracks[1]; // Its first frames may have been worse, before it settled.
-  return std::max(other.mean, other.value) > m_tracks.front().mean - contestedMargin;
+  return std::max(other.odds, other.value / (1. - keptOdds)) - other.change >
+         m_tracks.front().standing() - contestedMargin;
 }
 
 END_VISP_NAMESPACE

@@ -16,9 +16,10 @@ BEGIN_VISP_NAMESPACE
 /*!
   Poses that are followed side by side from frame to frame, after a loss and until one of them is confirmed.
 
-  One image may show more at a wrong pose than at the right one, the next ones hardly do. A pose is compared by the mean
-  of what it explained in the last frames, less a doubt that falls with the root of their number n:
-  \f[ s = \bar v - d / \sqrt{n} \f]
+  One image may show more at a wrong pose than at the right one, the next ones hardly do. Poses are compared by the
+  logarithm of their odds, which takes in what each frame says of them; those before count less and less, since frames
+  on end are alike:
+  \f[ \ell_t = k \ell_{t-1} + v_t \f]
 */
 class vpPoseTracks
 {
@@ -41,9 +42,10 @@ public:
   {
     vpHomogeneousMatrix cMo;
     vpHomogeneousMatrix before; //!< In the frame before; the same where there was none.
-    double mean = 0.;           //!< Of the frames before.
-    double frames = 0.;         //!< That it is the mean of.
-    double value = 0.;          //!< In this frame.
+    double odds = 0.;           //!< By the frames before, as a logarithm.
+    unsigned int frames = 0;    //!< In which it was seen.
+    double explained = 0.;      //!< In this frame.
+    double value = 0.;          //!< What this frame adds to the odds.
     double change = HUGE_VAL;   //!< Least penalty for how far it is from where the object was.
     vpContourEvidence contours; //!< In this frame.
     double behind = 0.;         //!< The first one, by contours that only one of them has; as a logarithm of odds.
@@ -52,16 +54,16 @@ public:
     unsigned int confirmations = 0; //!< Frames on end that explained it.
     unsigned int ahead = 0;         //!< Frames on end in which no other one came near.
     unsigned int compared = 0;      //!< Frames since others were looked for; 0 where they were not.
+    //! By the images and where it is, which counts once.
+    double standing() const { return odds - change; }
   };
 
   void clear();
   bool empty() const { return m_tracks.empty(); }
   const std::vector<Track> &tracks() const { return m_tracks; }
   //! The first one: a pose that was followed until now. \param before Where it was a frame earlier; the same where that
-  //! is unknown. \param explained By it in the frame before. \param belief Its probability says how many frames that is
-  //! worth.
-  void begin(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &before, double explained,
-             const vpPoseBelief &belief);
+  //! is unknown. \param belief What the frames before say of it.
+  void begin(const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &before, const vpPoseBelief &belief);
   //! The attempts to come start from this track, or from none of them.
   void follow(std::size_t index) { m_followed = index; }
   //! From the one with this pose, if there is one.
@@ -71,11 +73,12 @@ public:
   //! none.
   double followedValue() const;
   /*!
-    A pose that was estimated in this frame. \return What to compare it by.
-    \param value What it explains. \param change Penalty for how far it is from where the object was: of a pose that is
-    followed, the least one counts, as it moves with the object. \param contours What is there of its own.
+    A pose that was estimated in this frame. \return What to compare it by: the logarithm of its odds.
+    \param explained By it in this frame. \param value What that adds to its odds. \param change Penalty for how far it
+    is from where the object was: of a pose that is followed, the least one counts, as it moves with the object.
+    \param contours What is there of its own.
   */
-  double add(const vpHomogeneousMatrix &cMo, double value, double change, const Same &isSame,
+  double add(const vpHomogeneousMatrix &cMo, double explained, double value, double change, const Same &isSame,
              const vpContourEvidence &contours = vpContourEvidence());
   //! Other poses were looked for in all of this image.
   void noteSearch() { m_hasSearched = m_hasOthers = true; }
@@ -91,8 +94,8 @@ public:
   bool wasCompared() const { return !m_tracks.empty() && m_tracks.front().compared > 0; }
   //! The same, and those that were found had some frames to show that they are better.
   bool isCompared() const;
-  //! By how much the first one explains more than the second, in a frame in which others were looked for; 0 in the
-  //! rest.
+  //! By how much the odds of the first one are better than those of the second, as a logarithm, in a frame in which
+  //! others were looked for; 0 in the rest.
   double lead() const { return m_lead; }
   //! Frames on end in which no other one came near to the first.
   unsigned int ahead() const { return m_tracks.empty() ? 0 : m_tracks.front().ahead; }

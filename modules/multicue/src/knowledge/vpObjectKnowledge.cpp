@@ -2,6 +2,7 @@
 #include "knowledge/vpObjectKnowledge.h"
 
 #include "hypotheses/vpControlPointMotion.h"
+#include "judge/vpJudgedPose.h"
 #include "knowledge/vpSurfaceTrust.h"
 #include "motion/vpTurnBetween.h"
 
@@ -29,8 +30,6 @@ const double unsteadinessRate = 0.05;
 const double leastUsualEvidence = 0.1;
 // A depth buffer serves the surface at poses that move the control points by less than this, pixels.
 const double nearDepth = 2.;
-// Of what is usual: a drift mostly explains less, or moves as the object did not.
-const double worthKeeping = 0.8;
 const double leastTurn = 0.25; // Radians, to tell its effect by.
 // Share of the surface that has to be known to contradict a pose.
 const double leastKnown = 0.3;
@@ -225,7 +224,8 @@ void vpObjectKnowledge::recall(const Learnt &learnt, vpCueSet &cues)
 
 void vpObjectKnowledge::keep(double value, const vpCueSet &cues, const vpObjectMotion &motion)
 {
-  if (value < worthKeeping) {
+  // A drift mostly explains less, or moves as the object did not.
+  if (value < vpJudgedPose::enoughOdds) {
     return;
   }
   lastExplained = motion.time;

@@ -9,8 +9,7 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 const double leastDeviation = 0.005; // Of a frame, in diameters or radians.
-const double mostPenalty = 0.25;
-const int mostFrames = 8; // For which another motion is doubted.
+const int mostFrames = 8;            // For which another motion is doubted.
 } // namespace
 
 void vpInertia::predict(double time, const Eigen::Vector3d &centre, double diameter)
@@ -32,11 +31,6 @@ double vpInertia::surprise(const vpHomogeneousMatrix &cMo) const
   const double distance = (moved * m_centre - m_centre).norm() / (m_diameter * deviation(0));
   const double angle = Eigen::AngleAxisd(moved.linear()).angle() / deviation(1);
   return distance * distance + angle * angle;
-}
-
-double vpInertia::penalty(const vpHomogeneousMatrix &cMo) const
-{
-  return m_isPredicted ? mostPenalty * std::min(surprise(cMo) / most, 1.) : 0.;
 }
 
 void vpInertia::update(const State &state)

@@ -42,8 +42,6 @@ public:
   const vpHomogeneousMatrix &cMo() const { return m_cMo; }
   //! True where a pose is one that the object can hardly have come to.
   bool isLeftBy(const vpHomogeneousMatrix &cMo) const { return m_isPredicted && surprise(cMo) > most; }
-  //! What speaks against a pose, a share of what it explains; 0 where nothing is known.
-  double penalty(const vpHomogeneousMatrix &cMo) const;
   //! Ends a trusted frame. The state before stays for some frames if this one has left it.
   void update(const State &state);
 

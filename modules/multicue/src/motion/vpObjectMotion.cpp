@@ -19,10 +19,11 @@ namespace {
 // Squared, in diameters or radians: nothing is known of the object's motion yet.
 const double firstSurprise = 0.05 * 0.05;
 const double motionRate = 0.2;
-// What is no surprise any more: as many times what was off, at least this share of the most, and how fast it falls.
-const double farFactor = 3.;
-const double leastFarShare = 0.25;
-const double farRate = 0.1;
+// Of the distance from the expected pose, in diameters and radians: no object moves more evenly than that.
+const std::array<double, 2> leastDeviation = {{0.02, 0.04}};
+// Of the poses that vpJudgedPose::oddsOf() tells of, those beside the expected one were wrong more often than right by
+// this power of their squared distance, in deviations.
+const double tail = 0.6;
 // The pose's deviation is not believed to be below this share of the diameter, and this angle.
 const double leastTranslation = 5e-4;
 const double leastRotation = 1e-3; // Radians.
@@ -39,7 +40,6 @@ void vpObjectMotion::forgetImages()
 {
   trustedBefore.reset();
   m_surprise.fill(firstSurprise);
-  expectJumps();
   forget();
 }
 
@@ -105,9 +105,23 @@ std::array<double, 2> vpObjectMotion::offExpected(const vpHomogeneousMatrix &cMo
 double vpObjectMotion::surpriseAt(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model) const
 {
   const std::array<double, 2> off = offExpected(cMo, model);
-  const double distance = off[0] / m_farDeviation[0];
-  const double angle = off[1] / m_farDeviation[1];
-  return std::min(distance * distance + angle * angle, farthest);
+  double sum = 0.;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    sum += off[i] * off[i] / std::max(m_surprise[i], leastDeviation[i] * leastDeviation[i]);
+  }
+  return sum;
+}
+
+double vpObjectMotion::oddsAt(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model) const
+{
+  return -tail * std::log1p(surpriseAt(cMo, model));
+}
+
+void vpObjectMotion::expectJumps()
+{
+  for (double &surprise : m_surprise) {
+    surprise = std::max(surprise, firstSurprise);
+  }
 }
 
 void vpObjectMotion::learnSurprise(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model)
@@ -115,17 +129,6 @@ void vpObjectMotion::learnSurprise(const vpHomogeneousMatrix &cMo, const vpTrack
   const std::array<double, 2> off = offExpected(cMo, model);
   for (std::size_t i = 0; i < off.size(); ++i) {
     m_surprise[i] += motionRate * (off[i] * off[i] - m_surprise[i]);
-  }
-  learnFarDeviation(off);
-}
-
-// Of an object that moves evenly, a pose beside the expected one is another one; of one that is shaken it is not.
-void vpObjectMotion::learnFarDeviation(const std::array<double, 2> &off)
-{
-  for (std::size_t i = 0; i < off.size(); ++i) {
-    const double most = mostFarDeviation[i];
-    const double now = std::min(std::max(farFactor * off[i], leastFarShare * most), most);
-    m_farDeviation[i] = std::max(now, m_farDeviation[i] + farRate * (now - m_farDeviation[i]));
   }
 }
 

@@ -56,15 +56,19 @@ public:
 
   //! How far a pose is off the expected one: distance of the object's middle in diameters, and angle in radians.
   std::array<double, 2> offExpected(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model) const;
-  //! The same squared, in the deviations that are usual; at most farthest.
+  //! The same squared, in the deviations that are usual.
   double surpriseAt(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model) const;
-  static constexpr double farthest = 10.;
+  //! Logarithm of the odds of a pose beforehand, by how far it is off the expected one; 0 there. Its tail is heavy:
+  //! hands and cameras jump.
+  double oddsAt(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model) const;
+  //! At a pose that was less likely the object jumped.
+  static constexpr double farOdds = -2.7;
   //! Mean squared distance from the expected poses, in diameters and radians.
   const std::array<double, 2> &surprise() const { return m_surprise; }
   //! From a trusted pose.
   void learnSurprise(const vpHomogeneousMatrix &cMo, const vpTrackedModel &model);
   //! After a loss, the object may be anywhere.
-  void expectJumps() { m_farDeviation = mostFarDeviation; }
+  void expectJumps();
   //! \param covariance Of the pose's error, camera frame; with doubt of a pose that is not trusted.
   void update(const vpHomogeneousMatrix &cMo, vpPoseMatrix6 covariance, double doubt, double diameter);
   //! After a trusted frame.
@@ -91,10 +95,6 @@ public:
 
 private:
   static constexpr double longestCoast = 0.5; // Seconds.
-  // How far off a pose is no surprise where nothing is known: in diameters, and radians.
-  static constexpr std::array<double, 2> mostFarDeviation = {{0.2, 0.4}};
-
-  void learnFarDeviation(const std::array<double, 2> &off);
 
   double m_sinceUpdate = 0.; // Of the filter, seconds.
   vpHomogeneousMatrix m_expected;
@@ -102,7 +102,6 @@ private:
   vpHomogeneousMatrix m_predicted;
   bool m_isPredicted = false;
   bool m_holdsPrediction = false;
-  std::array<double, 2> m_farDeviation = {{0., 0.}}; // See mostFarDeviation.
   std::array<double, 2> m_surprise = {{0., 0.}};
 };
 

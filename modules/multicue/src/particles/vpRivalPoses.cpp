@@ -122,7 +122,7 @@ void vpRivalPoses::search(const vpFrameContext &frame, const vpHomogeneousMatrix
   const vpPoseSearch::Spread spread = vpPoseSearch::near().grown(growth);
   vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
   search.setSymmetries(m_symmetries.get());
-  search.setPrior(seen, spread, vpPoseSearch::usualPrior);
+  search.setPrior({seen}, spread, vpPoseSearch::Tail::LIGHT);
   search.scatter({seen, cMo}, spread, searchNumber);
   m_score.settle(search);
   search.keepBest(mostFound, vpPoseSearch::same());

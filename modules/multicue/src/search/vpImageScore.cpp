@@ -13,6 +13,7 @@ const unsigned int spherePoints = 100;
 const std::size_t keptParents = 24;
 const std::size_t children = 200;
 const unsigned int layers = 3;
+const vpPoseSearch::Spread aroundSettled = {0.05, 0.15, 0.08};
 
 // The best poses after a first alignment, with those that were not to be lost by it.
 void keepSettled(vpPoseSearch &search)
@@ -22,11 +23,21 @@ void keepSettled(vpPoseSearch &search)
   search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
 }
 
-// Poses that were aligned are near to what they can become.
-void annealSettled(vpPoseSearch &search)
+// Poses that were aligned are near to what they can become. A right one's peak is narrow: what is drawn around them
+// slides to where it fits before it is looked at.
+template <typename Align> void annealSettled(vpPoseSearch &search, Align &&align)
 {
   search.score();
-  search.anneal({0.05, 0.15, 0.08}, keptParents, children, layers - 1);
+  vpPoseSearch::Spread spread = aroundSettled;
+  for (unsigned int layer = 1; layer < layers; ++layer) {
+    search.breed(spread, keptParents, children);
+    search.keepCopies();
+    align();
+    search.addCopies();
+    search.score();
+    spread = spread.halved();
+  }
+  search.keepBest(keptParents, spread);
 }
 } // namespace
 
@@ -104,7 +115,12 @@ void vpImageScore::settle(vpPoseSearch &search)
   search.alignByColors(m_aligner, 0.08, 1);
   keepSettled(search);
   search.alignByColors(m_aligner, 0.05, 2);
-  annealSettled(search);
+  annealSettled(search, [&] {
+    search.alignByColors(m_aligner, 0.05, 1);
+    if (m_cues.uses(vpCueSet::EDGE)) {
+      search.alignByEdges(m_aligner, 2);
+    }
+  });
 }
 
 void vpImageScore::settleByScore(vpPoseSearch &search) const
@@ -118,7 +134,8 @@ void vpImageScore::settleByScore(vpPoseSearch &search) const
   search.alignByEdges(m_aligner, 3);
   keepSettled(search);
   search.alignByEdges(m_aligner, 2);
-  annealSettled(search);
+  search.score();
+  search.anneal(aroundSettled, keptParents, children, layers - 1);
 }
 
 END_VISP_NAMESPACE

@@ -37,6 +37,7 @@ public:
     double rotation = 0.3;    // Deviation, radians.
     double depth = 0.1;       // Deviation along the line of sight, in diameters.
 
+    Spread halved() const { return {0.5 * translation, 0.5 * rotation, 0.5 * depth}; }
     // Wider for an object that was not seen for some time; beyond half of its size and all turns nothing is gained.
     Spread grown(double factor) const
     {
@@ -47,8 +48,12 @@ public:
   static constexpr Spread near() { return {0.12, 0.35, 0.15}; }
   // Poses that differ by less than this are refined to the same one.
   static constexpr Spread same() { return {0.05, 0.15, 0.1}; }
-  // Of a pose that is one spread off, for setPrior().
-  static constexpr double usualPrior = 0.02;
+  // How much less likely poses are that are several spreads off.
+  enum class Tail
+  {
+    LIGHT, // As of one that was told with its deviation.
+    HEAVY  // As of an object that may have jumped.
+  };
 
   // The larger, the likelier.
   using Score = std::function<double(const vpHomogeneousMatrix &cMo)>;
@@ -60,12 +65,10 @@ public:
   void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
   // Likewise about several poses, of each as many as it has a share in all weights.
   void scatter(const std::vector<vpWeightedPose> &starts, const Spread &spread, std::size_t number);
-  // Poses near to a start are likelier than those far from it; before the first score().
-  void setPrior(const vpHomogeneousMatrix &cMo, const Spread &spread, double weight);
+  // Poses near to one of these are likelier than those far from them; before the first score().
+  void setPrior(const std::vector<vpHomogeneousMatrix> &poses, const Spread &spread, Tail tail);
   // Poses that look alike count as the same; null: none do. To live as long as the search.
   void setSymmetries(const vpModelSymmetries *symmetries) { m_symmetries = symmetries; }
-  // Likewise with several poses; the nearest one counts.
-  void setPrior(const std::vector<vpHomogeneousMatrix> &poses, const Spread &spread, double weight);
   // Orientations all around, at a point of the line of sight through a pixel; see spread for depth and translation.
   void scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
                      std::size_t number);
@@ -75,7 +78,11 @@ public:
   // Lets all of them slide to where their silhouettes separate the colours, and scores them.
   void alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps);
   void alignByEdges(const vpContourAligner &aligner, unsigned int steps);
-  void score();
+  // Those from this one on.
+  void score(std::size_t first = 0);
+  // Keeps the best ones that are apart from each other, and draws around these with half of the noise. \return How many
+  // were kept: those after them have no score.
+  std::size_t breed(const Spread &spread, std::size_t keep, std::size_t number);
   // Keeps the best ones that are apart from each other, and draws around these with less and less noise.
   void anneal(Spread spread, std::size_t keep, std::size_t number, unsigned int layers);
   // The best one first.
@@ -102,7 +109,7 @@ private:
   std::vector<vpPoseCandidate> m_copies;
   std::vector<vpHomogeneousMatrix> m_priorPoses;
   Spread m_priorSpread;
-  double m_priorWeight = 0.;
+  Tail m_priorTail = Tail::LIGHT;
 };
 
 END_VISP_NAMESPACE

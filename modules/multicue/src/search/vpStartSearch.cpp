@@ -78,7 +78,7 @@ vpPoseSearch vpStartSearch::search(const std::vector<vpWeightedPose> &starts, co
   for (const vpWeightedPose &start : starts) {
     poses.push_back(start.cMo);
   }
-  search.setPrior(poses, spread, vpPoseSearch::usualPrior);
+  search.setPrior(poses, spread, vpPoseSearch::Tail::LIGHT);
   search.scatter(starts, spread, draws);
   search.score();
   search.anneal(spread, parents, offspring, layers);

@@ -6,16 +6,13 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// Of what the trusted frames before had: from there on a pose is taken.
-const double wellExplained = 0.8;
-const double toleratedPenalty = 0.05;
-// Of a pose that is one deviation off the expected one; squared for those farther off.
-const double farPenalty = 0.03;
 // After a loss:
-const double unknownAfterLoss = 0.25;    // Weight of a surface that was never seen.
-const double changePenalty = 0.1;        // Of half a turn, or two diameters.
-const double depthPenalty = 0.3;         // Of a distance that is e times what it was.
-const double contradictionPenalty = 0.2; // Of a pose whose surface cannot be what was seen before.
+const double wellExplained = 0.8;     // Of what the trusted frames before had: from there on a pose is taken.
+const double unknownAfterLoss = 0.25; // Weight of a surface that was never seen.
+// Logarithms of odds:
+const double changePenalty = 1.1;        // Of half a turn, or two diameters.
+const double depthPenalty = 3.3;         // Of a distance that is e times what it was.
+const double contradictionPenalty = 2.2; // Of a pose whose surface cannot be what was seen before.
 const std::size_t mostAttempts = 4;      // From one search.
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
@@ -39,7 +36,8 @@ void vpAttempts::setOnly(const vpHomogeneousMatrix &cMo, double explained)
 {
   m_best = Attempt();
   m_best.cMo = cMo;
-  m_best.explained = m_best.value = explained;
+  m_best.explained = explained;
+  m_best.value = vpJudgedPose::oddsOf(explained);
 }
 
 bool vpAttempts::attempt(const vpFrameContext &frame, const vpStart &start)
@@ -73,13 +71,11 @@ bool vpAttempts::take(const vpEstimate &estimate)
     m_attempted.push_back(estimate.cMo);
   }
   const double share = estimate.isFound ? m_verdict.explained : -1.;
-  const double surprise = m_motion.surpriseAt(estimate.cMo, m_looks.model());
-  const double value = m_situation.mustConfirm
-                           ? valueAfterLoss(estimate, share)
-                           : share - std::max(farPenalty * surprise, m_motion.inertia.penalty(estimate.cMo));
+  const double odds = m_motion.oddsAt(estimate.cMo, m_looks.model());
+  const double value = m_situation.mustConfirm ? valueAfterLoss(estimate, share) : vpJudgedPose::oddsOf(share) + odds;
   const Attempt attempt = {
-      {share, value, surprise >= vpObjectMotion::farthest}, estimate.cMo, m_verdict.share, estimate.usesPoints};
-  m_bestIsLast = estimate.isFound && attempt.isBetterThan(m_best, m_situation.mustConfirm);
+      {share, value, odds < vpObjectMotion::farOdds}, estimate.cMo, m_verdict.share, estimate.usesPoints};
+  m_bestIsLast = estimate.isFound && attempt.value > m_best.value;
   if (m_bestIsLast) {
     m_best = attempt;
   }
@@ -87,7 +83,7 @@ bool vpAttempts::take(const vpEstimate &estimate)
     return m_best.explained >= wellExplained && m_bestIsLast && m_judge.isDecisive(m_verdict.agreement) &&
            !mustCompare(estimate.cMo);
   }
-  return std::min(m_best.explained, m_best.value + toleratedPenalty) >= wellExplained;
+  return m_best.value >= vpJudgedPose::enoughOdds;
 }
 
 // What was never seen is no evidence for a pose. Half a turn of a symmetric object explains as much: the one nearer to
@@ -99,7 +95,7 @@ double vpAttempts::valueAfterLoss(const vpEstimate &estimate, double share)
   const double unknown =
       unknownAfterLoss * vpSurfaceTrust(m_knowledge.surface.texture()) * (1. - agreement.surfaceKnown);
   const double change = changePenalty * m_whereabouts.changeSince(cMo);
-  const double value = (2. * share + unknown * vpUnknownCorrelation) / (2. + unknown) -
+  const double value = vpJudgedPose::oddsOf((2. * share + unknown * vpUnknownCorrelation) / (2. + unknown)) -
                        m_judge.fewEdgesPenalty(agreement) - depthPenalty * m_whereabouts.depthChange(cMo) -
                        (agreement.isRefuted ? contradictionPenalty : 0.);
   if (!estimate.isFound) {
@@ -109,7 +105,7 @@ double vpAttempts::valueAfterLoss(const vpEstimate &estimate, double share)
   if (m_cues.uses(vpCueSet::EDGE)) {
     contours.set(m_cues.edges(), cMo);
   }
-  return m_situation.tracks.add(cMo, value, change, m_alike.same(), contours);
+  return m_situation.tracks.add(cMo, share, value, change, m_alike.same(), contours);
 }
 
 // True where others have to be looked for before a pose that explains the image is confirmed.
@@ -123,7 +119,7 @@ void vpAttempts::learnKeyframes()
 {
   if (hasBest()) {
     const double share = m_knowledge.explainedBy(m_best.share, m_best.cMo);
-    m_best.value += share - m_best.explained;
+    m_best.value += vpJudgedPose::oddsOf(share) - vpJudgedPose::oddsOf(m_best.explained);
     m_best.explained = share;
   }
 }

@@ -149,7 +149,7 @@ void vpEverywhereSearch::scatter(const vpFrameContext &frame, vpPoseSearch &sear
   const vpPoseSearch::Spread near = vpPoseSearch::near();
   const vpPoseSearch::Spread wide = spreadWhileLost(m_situation.framesSinceLoss);
   const auto [before, moved, movedHalf] = m_whereabouts.fromOrigin();
-  search.setPrior(m_whereabouts.poses(), wide, vpPoseSearch::usualPrior);
+  search.setPrior(m_whereabouts.poses(), wide, vpPoseSearch::Tail::HEAVY);
   search.scatter({m_motion.expected(), before}, wide, number / 8);
   const vpPoseSearch::Spread far = {std::max(0.5 * wide.translation, near.translation), near.rotation,
                                     std::max(0.5 * wide.depth, near.depth)};

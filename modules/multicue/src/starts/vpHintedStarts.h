@@ -17,6 +17,8 @@ class vpHintedStarts
 public:
   //! By how much a hint has to be better than the pose that is tracked, in shares of what trusted poses had.
   static constexpr double leastGain = 0.05;
+  //! The same as a logarithm of odds.
+  static constexpr double leastOdds = 0.5;
 
   vpHintedStarts(const vpModelLooks &looks, vpImageScore &score, vpStartCapture &capture, vpRoughStart &rough)
       : m_looks(looks), m_score(score), m_capture(capture), m_rough(rough)

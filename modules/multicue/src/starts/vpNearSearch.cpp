@@ -4,9 +4,12 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
+// From the near spread and from a wider one each; with as many again, nothing more was found.
 const std::size_t nearNumber = 80;
-const std::size_t scoredNumber = 400; // Where colours do not help, from the near spread and from a wider one each.
-const double widerFactor = 1.6;
+const std::size_t scoredNumber = 400; // Where colours do not help.
+// With 1.6, 56 % of the frames of five objects that move 40 px and 16 degrees from image to image were followed, with
+// 2.5 it was 74 %.
+const double widerFactor = 2.5;
 const std::size_t modeNumber = 10; // Around each mode of the particles.
 // Turns of the object that are tried, radians.
 const double angleOfTurn = 0.35;
@@ -16,11 +19,13 @@ void vpNearSearch::search(const vpFrameContext &frame)
 {
   const vpHomogeneousMatrix &expected = m_motion.expected();
   const vpPoseSearch::Spread near = vpPoseSearch::near();
+  const vpPoseSearch::Spread wider = near.grown(widerFactor);
   m_score.setFrame(frame);
   vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
   search.setSymmetries(m_symmetries.get());
-  search.setPrior(expected, near, vpPoseSearch::usualPrior);
+  search.setPrior({expected}, near, vpPoseSearch::Tail::HEAVY);
   search.scatter({expected}, near, nearNumber);
+  search.scatter({expected}, wider, nearNumber);
   const vpHomogeneousMatrix bMo = m_looks.centreFrame().inverse();
   for (const vpPoseMode &mode : m_particles.modes()) { // What the frames before left open.
     search.scatter({mode.cMo * bMo}, vpPoseSearch::same(), modeNumber);
@@ -32,8 +37,7 @@ void vpNearSearch::search(const vpFrameContext &frame)
   // Colours led away from the object, or there are none.
   vpPoseSearch again(m_score.score(), m_looks.model(), frame.streams.searches++);
   again.setSymmetries(m_symmetries.get());
-  const vpPoseSearch::Spread wider = near.grown(widerFactor);
-  again.setPrior(expected, wider, vpPoseSearch::usualPrior);
+  again.setPrior({expected}, near, vpPoseSearch::Tail::HEAVY);
   again.scatter({expected}, near, scoredNumber);
   again.scatter({expected}, wider, scoredNumber);
   m_score.settleByScore(again);
