@@ -152,6 +152,10 @@ void vpLossWatch::confirm(const Found &found)
 void vpLossWatch::confirmState(const Found &found)
 {
   vpSituation &now = m_situation;
+  // After a loss, what explains the image no better than by chance, given where it is, is no pose to go on from.
+  if (now.mustConfirm && found.best.value < vpJudgedPose::oddsOf(vpJudgedPose::leastExplained)) {
+    m_outcome.state = vpTrackingState::LOST;
+  }
   if (m_outcome.isLost()) {
     now.confirmations = 0;
     noteLoss();
