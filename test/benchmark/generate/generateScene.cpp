@@ -4,6 +4,7 @@
 #include "generate/variants.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/se3/vpExactNumber.h>
 
 #include <algorithm>
 #include <atomic>
@@ -30,10 +31,10 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 std::string motionText(const SceneOptions &options)
 {
   std::ostringstream text;
-  if (options.motion != "smooth" || options.motionScale != 1.) {
+  if (options.motion != "smooth" || vpIsOther(options.motionScale, 1.)) {
     text << "_" << (contains(motionNames(), options.motion) ? options.motion : stemOf(options.motion));
   }
-  if (options.motionScale != 1.) {
+  if (vpIsOther(options.motionScale, 1.)) {
     text << options.motionScale;
   }
   return text.str();

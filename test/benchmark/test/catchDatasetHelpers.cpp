@@ -22,8 +22,8 @@ double longestOfAllPairs(const std::vector<Eigen::Vector3d> &points)
 
 TEST_CASE("The largest distance of two points is that of all pairs", "[dataset]")
 {
-  CHECK(programs::largestDistance({}) == 0.);
-  CHECK(programs::largestDistance({Eigen::Vector3d(1., 2., 3.)}) == 0.);
+  CHECK(programs::largestDistance({}) == exactly(0.));
+  CHECK(programs::largestDistance({Eigen::Vector3d(1., 2., 3.)}) == exactly(0.));
   vpPoseRandom random(7);
   for (int run = 0; run < 20; ++run) {
     // From flat over elongated to round, with a crowd on one side that pulls the centre away.

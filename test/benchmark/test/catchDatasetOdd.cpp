@@ -66,7 +66,7 @@ TEST_CASE("A frame with the object behind the camera is one without truth", "[fi
   const Sequence sequence = openSequence(folder.path(), "1", 5);
   REQUIRE(sequence.frames.size() == 12);
   CHECK_FALSE(sequence.frames[7].hasTruth);
-  CHECK(sequence.frames[7].visibility == 0.);
+  CHECK(sequence.frames[7].visibility == exactly(0.));
   CHECK(sequence.frames[8].hasTruth);
   CHECK(sequence.notes.empty());
 }
@@ -119,7 +119,7 @@ TEST_CASE("An .obj in millimetres is told by the diameter in models_info.json", 
   folder.put("models/obj_000005.obj", meshFiles::obj(smallBox()));
   bench::SequenceObject object = openSequence(folder.path(), "1", 5).object;
   CHECK(object.mesh == folder.path("models/obj_000005.obj"));
-  CHECK(object.meshUnit == 0.001);
+  CHECK(object.meshUnit == exactly(0.001));
   CHECK(object.diameter == Approx(0.075));
   folder.put("models/obj_000005.obj", meshFiles::obj(smallBox(0.0254)));
   object = openSequence(folder.path(), "1", 5).object;

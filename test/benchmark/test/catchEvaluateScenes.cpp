@@ -162,7 +162,7 @@ TEST_CASE("A resumed evaluation keeps what is there", "[evaluate]")
   const Evaluation second = bench::evaluate(options);
   REQUIRE(second.runs.size() == 2);
   CHECK(fs::last_write_time(file) == written);
-  CHECK(second.runs[0].summary.msMedian == first.runs[0].summary.msMedian);
+  CHECK(second.runs[0].summary.msMedian == exactly(first.runs[0].summary.msMedian));
 
   // Another question.
   SECTION("threads")

@@ -153,7 +153,7 @@ TEST_CASE("Starts near the truth are accepted, and the rest is told apart", "[st
   CHECK(near.failures.empty());
   REQUIRE(near.records.size() == 12);
   for (const StartRecord &trial : near.records) {
-    CHECK(trial.deviation.angle == 2.);
+    CHECK(trial.deviation.angle == exactly(2.));
     CHECK(trial.right == (trial.translation < 0.1 * 0.198 && trial.rotation < 10.));
     if (trial.object == "obj_000001") {
       CHECK(trial.outcome == StartOutcome::RIGHT);
@@ -186,10 +186,10 @@ TEST_CASE("A summary counts trials by object", "[starts]")
   const std::vector<bench::StartSummary> summaries = bench::summariseStarts(records);
   REQUIRE(summaries.size() == 3);
   CHECK(summaries[0].object == "box");
-  CHECK(summaries[0].right == 0.5);
-  CHECK(summaries[0].wrong == 0.25);
-  CHECK(summaries[0].refused == 0.25);
-  CHECK(summaries[0].poseRight == 0.75);
+  CHECK(summaries[0].right == exactly(0.5));
+  CHECK(summaries[0].wrong == exactly(0.25));
+  CHECK(summaries[0].refused == exactly(0.25));
+  CHECK(summaries[0].poseRight == exactly(0.75));
   CHECK(summaries[2].object == "all");
   CHECK(summaries[2].trials == 5);
   CHECK(summaries[2].refused == Approx(0.4));
@@ -210,8 +210,8 @@ TEST_CASE("Wrong models are counted one by one and together", "[starts]")
   REQUIRE(summaries.size() == 3);
   CHECK(summaries[0].model == "cup");
   CHECK(summaries[0].trials == 2);
-  CHECK(summaries[0].refused == 1.);
-  CHECK(summaries[1].refused == 0.);
+  CHECK(summaries[0].refused == exactly(1.));
+  CHECK(summaries[1].refused == exactly(0.));
   CHECK(summaries[2].object == "box");
   CHECK(summaries[2].model == "all");
   CHECK(summaries[2].refused == Approx(2. / 3.));
@@ -239,7 +239,7 @@ TEST_CASE("Options of starts are checked", "[starts]")
     return options;
   };
   CHECK(read({"--wrong", "scene"}).wrong == WrongStart::SCENE);
-  CHECK(read({"--angle", "20"}).deviation.angle == 20.);
+  CHECK(read({"--angle", "20"}).deviation.angle == exactly(20.));
   CHECK_THROWS_WITH(read({"--wrong", "light"}), ContainsSubstring("light"));
   CHECK_THROWS_WITH(read({"--angle", "-1"}), ContainsSubstring("--angle"));
   CHECK_THROWS_WITH(read({"--offset", "nan"}), ContainsSubstring("--offset"));

@@ -86,7 +86,7 @@ TEST_CASE("The options are read", "[evaluate]")
   CHECK(options.steps == std::vector<int>{1, 2, 4});
   CHECK(options.jobs == 2);
   CHECK(options.resume);
-  CHECK(options.start.pixels == 6.5);
+  CHECK(options.start.pixels == exactly(6.5));
   CHECK(options.start.seed == 4);
 }
 

@@ -19,17 +19,17 @@ TEST_CASE("Motion, effects and errors of the mesh are read, and usual where they
 {
   const bench::GenerateOptions usual = read({"--variant", "regular"});
   CHECK(usual.scene.motion == "smooth");
-  CHECK(usual.scene.motionScale == 1.);
+  CHECK(usual.scene.motionScale == exactly(1.));
   CHECK(usual.scene.effects.empty());
-  CHECK(usual.scene.meshError == 0.);
+  CHECK(usual.scene.meshError == exactly(0.));
   const bench::GenerateOptions options =
       read({"--variant", "occlusion,webcam", "--motion", "handheld", "--motion-scale", "1.5", "--effects", "bayer,jpeg",
             "--mesh-error", "2"});
   CHECK(options.variants == std::vector<std::string>{"occlusion", "webcam"});
   CHECK(options.scene.motion == "handheld");
-  CHECK(options.scene.motionScale == 1.5);
+  CHECK(options.scene.motionScale == exactly(1.5));
   CHECK(options.scene.effects == std::vector<std::string>{"bayer", "jpeg"});
-  CHECK(options.scene.meshError == 2.);
+  CHECK(options.scene.meshError == exactly(2.));
   CHECK(read({"--variant", "regular", "--effects", "all"}).scene.effects == bench::effectNames());
 }
 

@@ -31,8 +31,8 @@ TEST_CASE("Options of a run are read")
       {"--video", "a.mp4", "--init-rough", "a.pos", "--rough-angle", "30", "--unit", "mm", "--cues", "edge,color"});
   CHECK(options.source.video == "a.mp4");
   CHECK(options.start.rough == "a.pos");
-  CHECK(options.start.roughAngle == 30.);
-  CHECK(options.metresPerUnit == 0.001);
+  CHECK(options.start.roughAngle == exactly(30.));
+  CHECK(options.metresPerUnit == exactly(0.001));
   CHECK(options.cues == std::vector<std::string>({"edge", "color"}));
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("Files of starts are read, or named with what is wrong")
   CHECK_THROWS_WITH(programs::readClickPoints(folder.write("b.init", "5\n0 0 0\n")), ContainsSubstring("b.init"));
   CHECK_THROWS_WITH(programs::readPose(folder.write("c.pos", "1 2 three 4 5 6")), ContainsSubstring("\"three\""));
   CHECK_THROWS_WITH(programs::readPose(folder.write("d.pos", "1 2 3")), ContainsSubstring("d.pos"));
-  CHECK(programs::readPose(folder.write("e.pos", "0.1 0.2 0.5 0 0 0"))[2][3] == 0.5);
+  CHECK(programs::readPose(folder.write("e.pos", "0.1 0.2 0.5 0 0 0"))[2][3] == exactly(0.5));
 }
 
 #if defined(VISP_HAVE_APRILTAG) && defined(MULTICUE_HAVE_DETECTION)
