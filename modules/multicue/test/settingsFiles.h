@@ -2,6 +2,7 @@
 #ifndef settingsFiles_h
 #define settingsFiles_h
 
+#include <exceptionMessage.h>
 #include <meshFiles.h>
 
 #include <visp3/core/vpException.h>
@@ -17,6 +18,7 @@
 //! Configuration files that tests write and read, and what they are compared with.
 namespace settingsFiles {
 using Folder = meshFiles::TemporaryFolder;
+using ::messageOf;
 
 inline std::string textOf(const std::string &file)
 {
@@ -30,17 +32,6 @@ inline vpMultiCueSettings read(const std::string &name, const std::string &text,
 {
   const Folder folder;
   return vpMultiCueSettingsReader::read(folder.write(name, text), defaults);
-}
-
-//! \return The message of the exception that an action ends with; "" where there is none.
-template <typename Action> std::string messageOf(const Action &action)
-{
-  try {
-    action();
-  } catch (const vpException &error) {
-    return error.what();
-  }
-  return "";
 }
 
 //! \return The message that reading such a file ends with.

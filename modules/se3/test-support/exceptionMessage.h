@@ -6,7 +6,7 @@
 
 #include <string>
 
-//! \return The message of ViSP's exception that a call ends with; "no exception" where it ends without one.
+//! \return The message of ViSP's exception that a call ends with; empty where it ends without one.
 template <typename Call> std::string messageOf(const Call &call)
 {
   try {
@@ -14,7 +14,7 @@ template <typename Call> std::string messageOf(const Call &call)
   } catch (const vpException &e) {
     return e.getMessage();
   }
-  return "no exception";
+  return "";
 }
 
 #endif

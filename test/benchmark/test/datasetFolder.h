@@ -4,6 +4,7 @@
 
 #include "dataset/sequence.h"
 
+#include <exceptionMessage.h>
 #include <meshFiles.h>
 
 #include <filesystem>
@@ -107,17 +108,6 @@ inline void putRbot(const DatasetFolder &folder)
   for (const char *number : {"0000", "0001", "0002"}) {
     folder.put(std::string("ape/frames/a_regular") + number + ".png");
   }
-}
-
-//! The text of the exception that \e action ends with; empty where it ends without.
-template <typename Action> std::string messageOf(const Action &action)
-{
-  try {
-    action();
-  } catch (const vpException &e) {
-    return e.getMessage();
-  }
-  return "";
 }
 
 END_VISP_NAMESPACE

@@ -18,7 +18,7 @@ struct vpJudgedPose
   static constexpr double leastExplained = 0.4;
 
   double explained = -1.;   //!< Less than any pose explains.
-  double value = -HUGE_VAL; //!< What poses are compared by; of a followed object, the logarithm of the odds.
+  double value = -HUGE_VAL; //!< What poses are compared by: the logarithm of their odds.
   bool isFar = false;       //!< From where the object is expected.
 
   /*!

@@ -14,11 +14,13 @@ BEGIN_VISP_NAMESPACE
   several images.
 
   Prediction, with the probability p of the frame before and a jump of s squared deviations:
-  \f[ p^- = (1 - J) (a p + b (1 - p)) + J c,  J = s / (2 + s) \f]
+  \f[ p^- = (1 - J) (a p + b (1 - p)) + J c,  J = s / (s_0 + s) \f]
   Correction by the share e that the pose explains of what right ones do:
   \f[ \frac{p}{1 - p} = \frac{p^-}{1 - p^-} \exp(k (e - e_0)) \f]
   k is far below what single images would give, since those on end are alike. Of a pose that is followed e_0 is higher,
-  and one image costs no more than a limit.
+  and one image costs no more than a limit; where it jumped, there is nothing but the logarithm l of its odds in this
+  frame to go by, with the logistic function:
+  \f[ p = (1 - J) p_{followed} + J \sigma(l + o) \f]
 */
 class vpPoseBelief
 {
@@ -40,6 +42,8 @@ public:
   double odds() const;
 
 private:
+  //! Probability that the object jumped. \param jump Squared distance to the expected pose, in deviations.
+  static double jumped(double jump);
   //! Expected from the frame before.
   double followed() const;
   //! \param gained Logarithm of the factor of the odds.

@@ -74,7 +74,7 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double explained, doubl
   if (!track.isSeen) {
     track.before = track.cMo;
   }
-  if (!track.isSeen || value - lesser > track.value - track.change) {
+  if (!track.isSeen || value - lesser > track.now()) {
     track.cMo = cMo;
     track.explained = explained;
     track.value = value;
@@ -88,14 +88,14 @@ double vpPoseTracks::add(const vpHomogeneousMatrix &cMo, double explained, doubl
 double vpPoseTracks::followedValue() const
 {
   const bool isSeen = m_followed < m_tracks.size() && m_tracks[m_followed].isSeen;
-  return isSeen ? m_tracks[m_followed].value - m_tracks[m_followed].change : -HUGE_VAL;
+  return isSeen ? m_tracks[m_followed].now() : -HUGE_VAL;
 }
 
 // What each track explains in this frame is told to it.
 void vpPoseTracks::endFrame()
 {
   m_followed = none;
-  const auto ends = [](const Track &track) { return !track.isSeen || track.value - track.change < leastValue; };
+  const auto ends = [](const Track &track) { return !track.isSeen || track.now() < leastValue; };
   m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), ends), m_tracks.end());
   for (Track &track : m_tracks) {
     track.odds = oddsWith(track, track.value);

@@ -19,7 +19,9 @@ BEGIN_VISP_NAMESPACE
   One image may show more at a wrong pose than at the right one, the next ones hardly do. Poses are compared by the
   logarithm of their odds, which takes in what each frame says of them; those before count less and less, since frames
   on end are alike:
-  \f[ \ell_t = k \ell_{t-1} + v_t \f]
+  \f[ \ell_t = \max(k \ell_{t-1}, 0) + v_t \f]
+  A pose that was unlikely and is likely now is as good as one that was found now. How far a pose is from where the
+  object was is taken off once.
 */
 class vpPoseTracks
 {
@@ -56,6 +58,8 @@ public:
     unsigned int compared = 0;      //!< Frames since others were looked for; 0 where they were not.
     //! By the images and where it is, which counts once.
     double standing() const { return odds - change; }
+    //! The same, by this frame alone.
+    double now() const { return value - change; }
   };
 
   void clear();
