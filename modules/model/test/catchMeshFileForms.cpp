@@ -64,7 +64,6 @@ TEST_CASE("Lines of an .obj file that are wrong are told by their number", "[fil
                                   {"v 0,5 0 0", "decimal comma"},
                                   {"v 1 2", "2 numbers"},
                                   {"v 1 2 x", "'x'"},
-                                  {"wv 1 2 3", "keyword"},
                                   {"v 0 0 0 256 0 0", "colour"}}) {
     CAPTURE(bad);
     CHECK_THAT(messageOfFile(folder.write("wrong.obj", points + bad + "\n" + faces)),
@@ -208,4 +207,37 @@ TEST_CASE("Binary .stl files that start with solid, have colours, or text after 
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   requireTetrahedron(vpModelReader::read(folder.write("upper.stl", "  " + text)));
+}
+
+TEST_CASE("Binary .stl files whose header does not tell the number of triangles", "[files]")
+{
+  const meshFiles::TemporaryFolder folder;
+  const modelShapes::Point o(0., 0., 0.), x(0.2, 0., 0.), y(0., 0.3, 0.), z(0., 0., 0.4);
+  const std::string binary = meshFiles::binaryStl({{{o, y, x}}, {{o, x, z}}, {{x, y, z}}, {{y, o, z}}});
+  for (const std::string count : {std::string(4, '\0'), std::string(4, '\xFF')}) {
+    std::string streamed = binary;
+    const vpTrackedModel model = vpModelReader::read(folder.write("streamed.stl", streamed.replace(80, 4, count)));
+    requireTetrahedron(model);
+    CHECK(model.report().warnings.size() == 1);
+    CHECK_THAT(messageOfFile(folder.write("cut.stl", streamed.substr(0, 200))), ContainsSubstring("cut.stl"));
+  }
+}
+
+TEST_CASE("Faces of an .obj file may stand before their vertices, and lines without a keyword are told", "[files]")
+{
+  const meshFiles::TemporaryFolder folder;
+  requireTetrahedron(vpModelReader::read(folder.write("before.obj", faces + points)));
+  CHECK_THAT(messageOfFile(folder.write("beyond.obj", faces + points + "f 1 2 5\n")),
+             ContainsSubstring("beyond.obj', line 9") && ContainsSubstring("index 5"));
+  CHECK_THAT(messageOfFile(folder.write("back.obj", points + "f -1 -2 -5\n")),
+             ContainsSubstring("back.obj', line 5") && ContainsSubstring("index -5"));
+  const vpTrackedModel model = vpModelReader::read(folder.write("more.obj", points + "vc 1 0 0\nvc 0 0 1\n" + faces));
+  requireTetrahedron(model);
+  REQUIRE(model.report().warnings.size() == 1);
+  CHECK_THAT(model.report().warnings[0], ContainsSubstring("2 lines") && ContainsSubstring("line 5, 'vc'"));
+  const std::string weights = "v 0 0 0 1\nv 0.2 0 0 0.5\nv 0 0.3 0\nv 0 0 0.4\n";
+  const vpTrackedModel weighted = vpModelReader::read(folder.write("weights.obj", weights + faces));
+  requireTetrahedron(weighted);
+  REQUIRE(weighted.report().warnings.size() == 1);
+  CHECK_THAT(weighted.report().warnings[0], ContainsSubstring("weight"));
 }

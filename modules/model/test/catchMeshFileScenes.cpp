@@ -118,8 +118,34 @@ TEST_CASE("Names of a .gltf file's buffers and images may be percent-encoded", "
   folder.write("my box.bin", meshFiles::floats(box()));
   const vpTrackedModel model = vpModelReader::read(folder.write("space.gltf", gltf("", "my%20box.bin")));
   CHECK(model.triangles().size() == 12);
+  CHECK(model.appearance().color.empty()); // The file tells of no material.
   folder.write("100%25.bin", meshFiles::floats(box()));
   CHECK(vpModelReader::read(folder.write("sign.gltf", gltf("", "100%25.bin"))).triangles().size() == 12);
+}
+
+TEST_CASE("A .gltf file's material colours its mesh, and names of images may be percent-encoded", "[files]")
+{
+  const meshFiles::TemporaryFolder folder;
+  folder.write("box.bin", meshFiles::floats(box()));
+  const std::string red = gltf("\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0,0,1]}}],");
+  const vpTrackedModel model =
+      vpModelReader::read(folder.write("red.gltf", replaced(red, "{\"attributes\"", "{\"material\":0,\"attributes\"")));
+  REQUIRE(model.appearance().color.size() == 12);
+  CHECK(model.appearance().color[0][0] == Eigen::Vector3f(1.F, 0.F, 0.F));
+  // Positions serve as texture coordinates; an image that is no file, and then one that is.
+  std::string textured = gltf("\"images\":[{\"uri\":\"my%20skin.ppm\"}],\"textures\":[{\"source\":0}],\"materials\":[{"
+                              "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],");
+  textured = replaced(textured, "{\"attributes\":{", "{\"material\":0,\"attributes\":{\"TEXCOORD_0\":1,");
+  textured =
+      replaced(textured, "\"accessors\":[",
+               "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":36,\"type\":\"VEC3\",\"min\":[-100,"
+               "-100,-100],\"max\":[100,100,100]},{\"bufferView\":0,\"componentType\":5126,\"count\":36,\"type\":"
+               "\"VEC2\"}],\"unused\":[");
+  CHECK(vpModelReader::read(folder.write("textured.gltf", textured)).report().missingImages == 1);
+  folder.write("my skin.ppm", std::string("P6 1 1 255\n\xFF\x80\x01", 14));
+  const vpTrackedModel skinned = vpModelReader::read(folder.write("textured.gltf", textured));
+  CHECK(skinned.report().missingImages == 0);
+  REQUIRE(skinned.appearance().images.size() == 1);
 }
 
 TEST_CASE("Extensions that a .gltf file requires have to be known", "[files]")
@@ -132,6 +158,24 @@ TEST_CASE("Extensions that a .gltf file requires have to be known", "[files]")
   }
   const std::string look = "\"extensionsRequired\":[\"KHR_materials_unlit\"],";
   CHECK(vpModelReader::read(folder.write("look.gltf", gltf(look))).triangles().size() == 12);
+}
+
+TEST_CASE("Transformations of a .gltf file's nodes need all of their numbers", "[files]")
+{
+  const meshFiles::TemporaryFolder folder;
+  folder.write("box.bin", meshFiles::floats(box()));
+  const auto moved = [&](const std::string &transformation) {
+    return folder.write("moved.gltf", replaced(gltf(""), "{\"mesh\":0", "{" + transformation + ",\"mesh\":0"));
+  };
+  const modelShapes::Point centre = vpModelReader::read(moved("\"translation\":[0,0,1]")).report().centreOffset;
+  const vpTrackedModel turned = vpModelReader::read(moved("\"rotation\":[0,0,1,0],\"translation\":[0,0,1]"));
+  CHECK((turned.report().centreOffset - modelShapes::Point(-centre.x(), -centre.y(), centre.z())).norm() < 1e-6);
+  for (const std::string broken : {"\"translation\":[0,1]", "\"translation\":\"x\"", "\"matrix\":[1,0,0,0]",
+                                   "\"rotation\":[0,0,0,0]", "\"rotation\":[2,0,0,0]", "\"scale\":[1,1,\"1\"]"}) {
+    CAPTURE(broken);
+    CHECK_THAT(messageOfFile(moved(broken)),
+               ContainsSubstring("moved.gltf") && ContainsSubstring("numbers are needed"));
+  }
 }
 
 TEST_CASE("What a .gltf file says of a skeleton is told to be left out", "[files]")
@@ -157,15 +201,24 @@ TEST_CASE("Accessors of a .gltf file have to be in their buffers", "[files]")
   CHECK_THAT(messageOfFile(folder.write("cut.gltf", gltf(""))), ContainsSubstring("cut.gltf"));
 }
 
-TEST_CASE("A scene far from its origin, where 32-bit floats lose the shape, is refused, or the report warns", "[files]")
+TEST_CASE(
+    "A scene far from its origin keeps its digits where the file has them; else the report warns, or it is refused",
+    "[files]")
 {
   const meshFiles::TemporaryFolder folder;
-  const auto at = [&](double x) {
-    return folder.write("far.dae", meshFiles::dae(modelShapes::boxTriangles(modelShapes::Point(0.2, 0.3, 0.4), 1,
-                                                                            modelShapes::Point(x, 0., 0.)),
-                                                  ""));
+  const auto at = [](double x) {
+    return modelShapes::boxTriangles(modelShapes::Point(0.2, 0.3, 0.4), 1, modelShapes::Point(x, 0., 0.));
   };
-  CHECK(vpModelReader::read(at(10.)).report().warnings.empty());
-  CHECK(vpModelReader::read(at(2000.)).report().warnings.size() == 1);
-  CHECK_THAT(messageOfFile(at(900000.)), ContainsSubstring("far.dae") && ContainsSubstring("origin"));
+  std::string text = meshFiles::dae(at(0.), "", "<translate>900000.125 0 0</translate>");
+  const vpTrackedModel exact = vpModelReader::read(folder.write("far.dae", text));
+  CHECK((exact.report().size - modelShapes::Point(0.2, 0.3, 0.4)).norm() < 1e-9);
+  CHECK(exact.report().warnings.empty());
+  // 32-bit floats, as the format has it.
+  const auto floats = [&](double x) {
+    folder.write("box.bin", meshFiles::floats(at(x)));
+    return folder.write("far.gltf", gltf(""));
+  };
+  CHECK(vpModelReader::read(floats(10.)).report().warnings.empty());
+  CHECK(vpModelReader::read(floats(2000.)).report().warnings.size() == 1);
+  CHECK_THAT(messageOfFile(floats(900000.)), ContainsSubstring("far.gltf") && ContainsSubstring("origin"));
 }

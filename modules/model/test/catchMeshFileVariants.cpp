@@ -94,13 +94,20 @@ public:
   // \return What all variants end with that they should not.
   std::string faults(const std::string &extension, const std::string &right, const std::vector<Variant> &variants) const
   {
-    std::string all;
-    for (const Variant &variant : variants) {
-      const std::string one = fault(variant, "variant." + extension, right,
-                                    [&](const std::string &content) { return read(extension, content); });
-      all += one.empty() ? "" : one + "\n";
-    }
-    return all;
+    return fileVariants::faults(variants, "variant." + extension, right,
+                                [&](const std::string &content) { return outcomeOf(read(extension, content)); });
+  }
+  // The same for a file that a mesh refers to.
+  std::string faultsBeside(const Format &format, const std::string &file, const std::string &good,
+                           const std::vector<Variant> &variants) const
+  {
+    m_folder.write(file, good);
+    const std::string right = shapeOf(read(format.extension, format.content));
+    const std::string mesh = m_folder.path("variant." + format.extension);
+    return fileVariants::faults(variants, format.extension, right, [&](const std::string &content) {
+      m_folder.write(file, content);
+      return outcomeOf(vpModelReader::read(mesh));
+    });
   }
 
 private:
@@ -150,24 +157,36 @@ TEST_CASE("Meshes of which a word is changed are read rightly, with a warning, o
   }
 }
 
-TEST_CASE("Meshes are the same in every locale, with every end of lines, and behind a byte order mark", "[files]")
+TEST_CASE("Meshes are the same in every locale, however their lines end, and behind a byte order mark", "[files]")
 {
   const Reader reader;
   for (const Format &format : formats()) {
     CAPTURE(format.extension);
     const std::string right = shapeOf(reader.read(format.extension, format.content));
-    for (const std::string end : {"\r\n", "\r"}) {
-      std::string content;
-      for (const char c : format.content) {
-        content += c == '\n' ? end : std::string(1, c);
+    for (const Variant &variant : encodings(format.content)) {
+      if (variant.what.find("UTF-16") == std::string::npos) {
+        CAPTURE(variant.what);
+        CHECK(shapeOf(reader.read(format.extension, variant.content)) == right);
       }
-      CHECK(shapeOf(reader.read(format.extension, content)) == right);
     }
-    if (format.extension != "ply") { // Its first bytes are its mark.
-      CHECK(shapeOf(reader.read(format.extension, "\xEF\xBB\xBF" + format.content)) == right);
-    }
+    CHECK(reader.faults(format.extension, right, encodings(format.content)) == "");
     const CommaLocale comma;
     CHECK(shapeOf(reader.read(format.extension, format.content)) == right);
     CHECK(CommaLocale::isGlobal());
   }
+}
+
+TEST_CASE("What a mesh refers to is read rightly, missed with a warning, or refused", "[files]")
+{
+  const Reader reader;
+  const Format obj = formats().front();
+  const Format gltf = formats().back();
+  CHECK(reader.read("obj", obj.content).appearance().color.size() == 4);
+  CHECK(reader.faultsBeside(obj, "skin.mtl", mtlText, encodings(mtlText)) == "");
+  CHECK(reader.faultsBeside(obj, "skin.mtl", mtlText, cuts(mtlText)) == "");
+  CHECK(reader.faultsBeside(obj, "skin.mtl", mtlText, tokenEdits(mtlText)) == "");
+  CHECK(reader.faultsBeside(obj, "skin.mtl", mtlText, byteFlips(mtlText, 400)) == "");
+  const std::string data = meshFiles::floats(tetrahedron());
+  CHECK(reader.faultsBeside(gltf, "four.bin", data, cuts(data)) == "");
+  CHECK(reader.faultsBeside(gltf, "four.bin", data, byteFlips(data, 400)) == "");
 }

@@ -5,7 +5,10 @@
 #include <visp3/core/vpException.h>
 #include <visp3/model/vpTrackedModel.h>
 
+#include "memoryLimit.h"
+
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -38,6 +41,28 @@ inline std::vector<Variant> cuts(const std::string &content)
     variants.push_back({"cut to " + std::to_string(length) + " bytes", content.substr(0, length)});
   }
   return variants;
+}
+
+//! The same of a list of numbers that nothing follows: that its last one has lost digits cannot be seen.
+inline std::vector<Variant> cutsOfNumbers(const std::string &content)
+{
+  std::vector<Variant> variants = cuts(content);
+  for (Variant &variant : variants) {
+    const std::size_t length = variant.content.size();
+    variant.sameNumbers = length == 0 || std::isspace(static_cast<unsigned char>(content[length])) != 0 ||
+                          std::isspace(static_cast<unsigned char>(content[length - 1])) != 0;
+  }
+  return variants;
+}
+
+//! All of several lists.
+inline std::vector<Variant> together(const std::vector<std::vector<Variant>> &lists)
+{
+  std::vector<Variant> all;
+  for (const std::vector<Variant> &list : lists) {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
 }
 
 //! Every word in turn left out, doubled, or replaced. \param stride Take every so many words only.
@@ -86,16 +111,60 @@ inline std::vector<Variant> byteFlips(const std::string &content, int count)
   return variants;
 }
 
+//! The same characters in UTF-16. \param mark With the mark that tells so.
+inline std::string utf16(const std::string &ascii, bool bigEndian, bool mark)
+{
+  std::string result;
+  const auto add = [&](char high, char low) { (result += bigEndian ? high : low) += bigEndian ? low : high; };
+  if (mark) {
+    add('\xFE', '\xFF');
+  }
+  for (const char c : ascii) {
+    add('\0', c);
+  }
+  return result;
+}
+
+//! The same text as editors and other systems save it.
+inline std::vector<Variant> encodings(const std::string &content)
+{
+  const auto withEnds = [&content](const std::string &end) {
+    std::string result;
+    for (const char c : content) {
+      result += c == '\n' ? end : std::string(1, c);
+    }
+    return result;
+  };
+  return {{"ends of Windows", withEnds("\r\n")},
+          {"ends of old Macs", withEnds("\r")},
+          {"byte order mark", "\xEF\xBB\xBF" + content},
+          {"byte order mark, ends of Windows", "\xEF\xBB\xBF" + withEnds("\r\n")},
+          {"UTF-16, little endian, mark", utf16(content, false, true)},
+          {"UTF-16, big endian, mark", utf16(content, true, true)},
+          {"UTF-16, little endian", utf16(content, false, false)},
+          {"UTF-16, big endian", utf16(content, true, false)}};
+}
+
 //! What one can tell of a model without knowing it.
 inline std::string shapeOf(const vpTrackedModel &model)
 {
   const vpModelReport &report = model.report();
+  double area = 0.;
+  for (const vpModelTriangle &triangle : model.triangles()) {
+    const auto at = [&](std::size_t k) { return model.vertices()[static_cast<std::size_t>(triangle.vertex[k])]; };
+    area += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+  }
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();
+  for (const auto &corners : model.appearance().color) {
+    color += corners[0] + corners[1] + corners[2];
+  }
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(5);
   text << report.size.transpose() << " m, centre " << report.centreOffset.transpose() << ", " << report.triangles
        << " triangles, " << report.edges << " edges, " << report.cylinders << " cylinders, " << report.circles
-       << " circles, " << model.appearance().color.size() << " colours";
+       << " circles, " << area << " m2, " << model.appearance().color.size() << " colours of sum " << color.transpose()
+       << ", " << model.appearance().images.size() << " images";
   return text.str();
 }
 
@@ -106,16 +175,28 @@ inline bool warns(const vpTrackedModel &model)
   return text.str().find("warning:") != std::string::npos;
 }
 
-//! \return What is wrong with the way a variant was taken; empty where it was taken well.
+//! What came out of a file.
+struct Outcome
+{
+  std::string what;   //!< The same text for the same meaning.
+  bool warns = false; //!< Whether the user is told that something may be wrong.
+};
+
+/*!
+  \param name Part of the file's name, which a refusal has to say.
+  \param right What comes out of the good file.
+  \param read Reads the variant.
+  \return What is wrong with the way a variant was taken; empty where it was taken well.
+*/
 inline std::string fault(const Variant &variant, const std::string &name, const std::string &right,
-                         const std::function<vpTrackedModel(const std::string &)> &read)
+                         const std::function<Outcome(const std::string &)> &read)
 {
   const auto start = std::chrono::steady_clock::now();
   std::string result;
   try {
-    const vpTrackedModel model = read(variant.content);
-    if (variant.sameNumbers && shapeOf(model) != right && !warns(model)) {
-      result = "read without a word as " + shapeOf(model);
+    const Outcome outcome = read(variant.content);
+    if (variant.sameNumbers && outcome.what != right && !outcome.warns) {
+      result = "read without a word as " + outcome.what;
     }
   } catch (const vpException &e) {
     const std::string message = e.getMessage();
@@ -126,7 +207,25 @@ inline std::string fault(const Variant &variant, const std::string &name, const 
   if (std::chrono::steady_clock::now() - start > std::chrono::seconds(5)) {
     result += " after more than 5 s";
   }
-  return result.empty() ? "" : variant.what + ": " + result;
+  return result.empty() ? "" : variant.what + ": " + result + "\n";
+}
+
+//! The faults of all variants, one a line, with no more than 1 GB of memory for each.
+inline std::string faults(const std::vector<Variant> &variants, const std::string &name, const std::string &right,
+                          const std::function<Outcome(const std::string &)> &read)
+{
+  const MemoryLimit limit(std::size_t(1) << 30U);
+  std::string all;
+  for (const Variant &variant : variants) {
+    all += fault(variant, name, right, read);
+  }
+  return all;
+}
+
+//! What came out of a file of a model.
+inline Outcome outcomeOf(const vpTrackedModel &model)
+{
+  return {shapeOf(model), warns(model)};
 }
 
 //! A locale with 1.234,5 for 1234.5, in streams that are made while it lives; none has to be installed for it.

@@ -44,6 +44,9 @@ public:
   //! Writes a file. \return Its path.
   std::string write(const std::string &name, const std::string &content) const
   {
+    // A file that is made anew is kept in memory; one that is overwritten is written to the disk at once by ext4.
+    std::error_code ignored;
+    std::filesystem::remove(m_path / name, ignored);
     std::ofstream(m_path / name, std::ios::binary) << content;
     return path(name);
   }

@@ -38,13 +38,8 @@ public:
 
   std::string faults(const std::string &right, const std::vector<Variant> &variants) const
   {
-    std::string all;
-    for (const Variant &variant : variants) {
-      const std::string one =
-          fault(variant, "variant.cao", right, [&](const std::string &content) { return readText(content); });
-      all += one.empty() ? "" : one + "\n";
-    }
-    return all;
+    return fileVariants::faults(variants, "variant.cao", right,
+                                [&](const std::string &content) { return outcomeOf(readText(content)); });
   }
 };
 } // namespace
@@ -113,6 +108,8 @@ TEST_CASE("A .cao file that is cut off or of which a word is changed is read rig
   const std::string right = shapeOf(folder.readText(whole));
   CHECK(folder.faults(right, cuts(whole)) == "");
   CHECK(folder.faults(right, tokenEdits(whole, 2)) == "");
+  CHECK(folder.faults(right, encodings(whole)) == "");
+  CHECK(folder.faults(right, byteFlips(whole, 200)) == "");
 }
 
 TEST_CASE("Parts that a .cao file loads are placed, and may not lead back to it", "[files]")

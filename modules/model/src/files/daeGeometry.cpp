@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/daeGeometry.h"
 
+#include "files/daeText.h"
 #include "files/fileBytes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <numeric>
 
 BEGIN_VISP_NAMESPACE
@@ -12,21 +13,37 @@ namespace vpMeshDetail {
 namespace {
 // Cutting a polygon takes time that grows with the square of its corners, or worse.
 constexpr std::size_t mostCorners = 1000;
+// Inputs of a corner; files have up to five.
+constexpr std::size_t mostInputs = 64;
 
-// The next word of a text whose lines do not matter.
-std::string_view nextWord(std::string_view &text)
+bool isPolygons(const std::string &name)
 {
-  const char *const blanks = " \t\r\n";
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text.remove_prefix(word.size());
-  return word;
+  return name == "triangles" || name == "polylist" || name == "polygons" || name == "tristrips" || name == "trifans";
+}
+
+bool hasSemantic(const pugi::xml_node &input, const char *semantic)
+{
+  return std::strcmp(input.attribute("semantic").value(), semantic) == 0;
 }
 } // namespace
 
 DaeGeometry::DaeGeometry(const std::string &file, const pugi::xml_node &geometry)
     : m_file(file), m_geometry(geometry), m_mesh(geometry.child("mesh"))
 {
+  if (!m_mesh) {
+    refuse("it is no <mesh>, which alone is read: export it as triangles");
+  }
+  for (const pugi::xml_node &child : m_mesh.children()) {
+    if (isPolygons(child.name())) {
+      readPrimitive(child);
+    }
+  }
+}
+
+std::size_t DaeGeometry::polygons() const
+{
+  return std::accumulate(m_primitives.begin(), m_primitives.end(), std::size_t(0),
+                         [](std::size_t sum, const Primitive &primitive) { return sum + primitive.sizes.size(); });
 }
 
 void DaeGeometry::refuse(const std::string &reason) const
@@ -44,186 +61,221 @@ pugi::xml_node DaeGeometry::withId(const std::string &reference) const
   refuse("'" + reference + "' is not in it");
 }
 
-std::size_t DaeGeometry::attribute(const pugi::xml_node &node, const char *name) const
+// The array may be that of another source.
+pugi::xml_node DaeGeometry::arrayOf(const pugi::xml_node &accessor) const
 {
-  long long value = 0;
-  if (!parseNumber(trimmed(node.attribute(name).value()), value) || value < 0) {
-    refuse(std::string(name) + "=\"" + node.attribute(name).value() + "\" of <" + node.name() +
-           "> is no count or offset");
+  const std::string reference = accessor.attribute("source").value();
+  for (const pugi::xml_node &other : m_mesh.children("source")) {
+    const pugi::xml_node array = other.child("float_array");
+    if (array && !reference.empty() && reference.compare(1, std::string::npos, array.attribute("id").value()) == 0) {
+      return array;
+    }
   }
-  return static_cast<std::size_t>(value);
+  refuse("an <accessor> refers to '" + reference + "', which is no <float_array> in it");
 }
 
-std::vector<std::size_t> DaeGeometry::indices(const pugi::xml_node &list) const
+const DaeGeometry::Source &DaeGeometry::source(const pugi::xml_node &node)
 {
-  std::vector<std::size_t> result;
-  std::string_view text = list.text().get();
-  for (std::string_view word = nextWord(text); !word.empty(); word = nextWord(text)) {
-    long long index = 0;
-    if (!parseNumber(word, index) || index < 0) {
-      refuse("'" + std::string(word.substr(0, 20)) + "' in <" + list.name() + "> is no index or count");
-    }
-    result.push_back(static_cast<std::size_t>(index));
+  const auto [known, isNew] = m_sources.try_emplace(node.attribute("id").value());
+  Source &result = known->second;
+  if (!isNew) {
+    return result;
+  }
+  const pugi::xml_node accessor = node.child("technique_common").child("accessor");
+  if (!accessor) {
+    refuse("<source> '" + std::string(node.attribute("id").value()) + "' has no accessor");
+  }
+  const pugi::xml_node array = arrayOf(accessor);
+  result.numbers = numbersOf(m_file, array);
+  if (result.numbers.size() != countOf(m_file, array, "count")) {
+    refuse("count=\"" + std::string(array.attribute("count").value()) + "\" of a float_array, but it has " +
+           std::to_string(result.numbers.size()) + " numbers");
+  }
+  result.count = countOf(m_file, accessor, "count");
+  result.stride = accessor.attribute("stride") ? countOf(m_file, accessor, "stride") : 1;
+  result.offset = accessor.attribute("offset") ? countOf(m_file, accessor, "offset") : 0;
+  const std::size_t room = result.numbers.size();
+  if (result.stride == 0 || result.offset > room || result.count > (room - result.offset) / result.stride) {
+    refuse("an accessor of " + std::to_string(result.count) + " elements is larger than its array of " +
+           std::to_string(room) + " numbers");
+  }
+  for (const pugi::xml_node &param : accessor.children("param")) {
+    result.components.push_back(lowerCase(param.attribute("name").value()));
   }
   return result;
 }
 
-std::size_t DaeGeometry::countNumbers(const pugi::xml_node &array) const
+// \param names Of the components that are needed, which stand in this order where they have other names, or none.
+DaeGeometry::Input DaeGeometry::input(const pugi::xml_node &node, const std::vector<std::string> &names)
 {
-  std::size_t count = 0;
-  std::string_view text = array.text().get();
-  for (std::string_view word = nextWord(text); !word.empty(); word = nextWord(text)) {
-    double number = 0.;
-    if (!parseNumber(word, number) || !std::isfinite(number)) {
-      refuse("'" + std::string(word.substr(0, 20)) + "' in <" + array.name() + "> is no finite number");
-    }
-    ++count;
-  }
-  return count;
-}
-
-// How many elements an accessor has, where its array has room for them.
-std::size_t DaeGeometry::elementsOf(const pugi::xml_node &source) const
-{
-  const pugi::xml_node array = source.child("float_array");
-  const pugi::xml_node accessor = source.child("technique_common").child("accessor");
-  if (!array || !accessor) {
-    refuse("<source> '" + std::string(source.attribute("id").value()) + "' has no float_array and accessor");
-  }
-  const std::size_t count = attribute(accessor, "count");
-  const std::size_t stride = accessor.attribute("stride") ? attribute(accessor, "stride") : 1;
-  const std::size_t offset = accessor.attribute("offset") ? attribute(accessor, "offset") : 0;
-  const std::size_t room = attribute(array, "count");
-  if (stride == 0 || offset > room || count > (room - offset) / stride) {
-    refuse("an accessor of " + std::to_string(count) + " elements is larger than its array of " + std::to_string(room) +
-           " numbers");
-  }
-  return count;
-}
-
-void DaeGeometry::checkSources() const
-{
-  for (const pugi::xml_node &source : m_mesh.children("source")) {
-    const pugi::xml_node array = source.child("float_array");
-    if (array && countNumbers(array) != attribute(array, "count")) {
-      refuse("count=\"" + std::string(array.attribute("count").value()) + "\" of a float_array, but it has " +
-             std::to_string(countNumbers(array)) + " numbers");
-    }
-  }
-}
-
-std::size_t DaeGeometry::elementsFor(const pugi::xml_node &input) const
-{
-  pugi::xml_node source = withId(input.attribute("source").value());
-  if (std::string(source.name()) == "vertices") {
-    const pugi::xml_node position = source.find_child_by_attribute("input", "semantic", "POSITION");
+  Input result;
+  pugi::xml_node from = withId(node.attribute("source").value());
+  if (std::strcmp(from.name(), "vertices") == 0) {
+    const pugi::xml_node position = from.find_child_by_attribute("input", "semantic", "POSITION");
     if (!position) {
       refuse("<vertices> has no POSITION");
     }
-    source = withId(position.attribute("source").value());
+    from = withId(position.attribute("source").value());
   }
-  return elementsOf(source);
+  result.source = &source(from);
+  result.offset = node.attribute("offset") ? countOf(m_file, node, "offset") : 0;
+  const std::vector<std::string> &all = result.source->components;
+  const bool named = std::all_of(names.begin(), names.end(), [&](const std::string &name) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  });
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto found = std::find(all.begin(), all.end(), names[k]);
+    result.components.push_back(named ? static_cast<std::size_t>(found - all.begin()) : k);
+  }
+  if ((!named && !all.empty() && all.size() < names.size()) ||
+      *std::max_element(result.components.begin(), result.components.end()) >= result.source->stride) {
+    refuse("<source> '" + std::string(from.attribute("id").value()) + "' has elements without " + names.front() +
+           " to " + names.back());
+  }
+  return result;
 }
 
-void DaeGeometry::checkIndices(const pugi::xml_node &primitive, const std::vector<std::size_t> &list,
-                               std::size_t stride) const
+void DaeGeometry::readInputs(const pugi::xml_node &node, Primitive &primitive)
 {
-  for (const pugi::xml_node &input : primitive.children("input")) {
-    const std::size_t elements = elementsFor(input);
-    for (std::size_t i = attribute(input, "offset"); i < list.size(); i += stride) {
-      if (list[i] >= elements) {
-        refuse("index " + std::to_string(list[i]) + " in <" + primitive.name() + "> is out of range: there are " +
-               std::to_string(elements) + " elements of " + input.attribute("semantic").value());
-      }
+  for (const pugi::xml_node &one : node.children("input")) {
+    primitive.stride = std::max(primitive.stride, countOf(m_file, one, "offset") + 1);
+    if (hasSemantic(one, "VERTEX")) {
+      primitive.position = input(one, {"x", "y", "z"});
+    } else if (hasSemantic(one, "COLOR") && primitive.color.source == nullptr) {
+      primitive.color = input(one, {"r", "g", "b"});
+    } else if (hasSemantic(one, "TEXCOORD") && primitive.texture.source == nullptr) {
+      primitive.texture = input(one, {"s", "t"});
+    }
+  }
+  if (primitive.position.source == nullptr) {
+    refuse(std::string("<") + node.name() + "> has no input VERTEX of <vertices>");
+  }
+  if (primitive.stride > mostInputs) {
+    refuse(std::string("<") + node.name() + "> has an input with an offset of more than " + std::to_string(mostInputs));
+  }
+  // Colours and texture coordinates may be those of the vertices.
+  const pugi::xml_node vertex = node.find_child_by_attribute("input", "semantic", "VERTEX");
+  const pugi::xml_node vertices = withId(vertex.attribute("source").value());
+  for (const pugi::xml_node &one : vertices.children("input")) {
+    Input *place = hasSemantic(one, "COLOR")      ? &primitive.color
+                   : hasSemantic(one, "TEXCOORD") ? &primitive.texture
+                                                  : nullptr;
+    if (place != nullptr && place->source == nullptr) {
+      *place = input(one, place == &primitive.color ? std::vector<std::string>{"r", "g", "b"}
+                                                    : std::vector<std::string>{"s", "t"});
+      place->offset = primitive.position.offset;
     }
   }
 }
 
-std::size_t DaeGeometry::countPolylist(const pugi::xml_node &primitive, std::size_t corners) const
+void DaeGeometry::checkIndices(const Primitive &primitive, const Input &input) const
 {
-  const std::vector<std::size_t> sizes = indices(primitive.child("vcount"));
-  if (std::accumulate(sizes.begin(), sizes.end(), std::size_t(0)) != corners ||
-      sizes.size() != attribute(primitive, "count")) {
+  for (std::size_t i = input.offset; input.source != nullptr && i < primitive.indices.size(); i += primitive.stride) {
+    if (primitive.indices[i] >= input.source->count) {
+      refuse("index " + std::to_string(primitive.indices[i]) + " is out of range: there are " +
+             std::to_string(input.source->count) + " elements, the first is 0");
+    }
+  }
+}
+
+void DaeGeometry::readPrimitive(const pugi::xml_node &node)
+{
+  const std::string kind = node.name();
+  if (node.child("ph")) {
+    refuse("polygons with holes (<ph>) are not read: export triangles");
+  }
+  Primitive primitive;
+  primitive.material = node.attribute("material").value();
+  readInputs(node, primitive);
+  const bool isOneList = kind == "triangles" || kind == "polylist";
+  const std::size_t count = countOf(m_file, node, "count");
+  std::size_t lists = 0;
+  for (const pugi::xml_node &p : node.children("p")) {
+    const std::vector<std::size_t> list = indicesOf(m_file, p);
+    if (list.size() % primitive.stride != 0) {
+      refuse("the <p> of <" + kind + "> has " + std::to_string(list.size()) + " numbers, " +
+             std::to_string(primitive.stride) + " are needed for each corner");
+    }
+    addPolygons(node, list, primitive);
+    ++lists;
+  }
+  if (lists != (isOneList ? 1 : count) && !(isOneList && lists == 0 && count == 0)) {
+    refuse("count=\"" + std::to_string(count) + "\" of <" + kind + ">, but it has " + std::to_string(lists) +
+           " lists <p>");
+  }
+  for (const Input *input : {&primitive.position, &primitive.color, &primitive.texture}) {
+    checkIndices(primitive, *input);
+  }
+  m_primitives.push_back(std::move(primitive));
+}
+
+// \param list Of one <p>.
+void DaeGeometry::addPolygons(const pugi::xml_node &node, const std::vector<std::size_t> &list,
+                              Primitive &primitive) const
+{
+  const std::string kind = node.name();
+  const std::size_t corners = list.size() / primitive.stride;
+  if (kind == "polylist") {
+    addPolylist(node, list, primitive);
+  } else if (kind == "triangles") {
+    if (corners != 3 * countOf(m_file, node, "count")) {
+      refuse("count=\"" + std::string(node.attribute("count").value()) + "\" of <triangles>, but its <p> has " +
+             std::to_string(corners) + " corners");
+    }
+    primitive.indices = list;
+    primitive.sizes.assign(corners / 3, 3);
+  } else if (kind == "polygons") {
+    std::vector<std::size_t> all(corners);
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    addPolygon(list, all, primitive);
+  } else { // Each corner of a strip makes a triangle with the two before, and of a fan with the first and the one
+           // before.
+    for (std::size_t k = 2; k < corners; ++k) {
+      const std::size_t odd = k % 2;
+      addPolygon(list,
+                 kind == "trifans" ? std::vector<std::size_t>{0, k - 1, k}
+                                   : std::vector<std::size_t>{k - 2 + odd, k - 1 - odd, k},
+                 primitive);
+    }
+  }
+}
+
+void DaeGeometry::addPolylist(const pugi::xml_node &node, const std::vector<std::size_t> &list,
+                              Primitive &primitive) const
+{
+  const std::vector<std::size_t> sizes = indicesOf(m_file, node.child("vcount"));
+  const std::size_t corners = list.size() / primitive.stride;
+  if (sizes.size() != countOf(m_file, node, "count") ||
+      std::any_of(sizes.begin(), sizes.end(), [&](std::size_t size) { return size > corners; }) ||
+      std::accumulate(sizes.begin(), sizes.end(), std::size_t(0)) != corners) {
     refuse("the <vcount> of a <polylist> does not go with its count and the " + std::to_string(corners) +
            " corners of its <p>");
   }
-  if (std::any_of(sizes.begin(), sizes.end(), [](std::size_t size) { return size > mostCorners; })) {
+  std::vector<std::size_t> polygon;
+  std::size_t first = 0;
+  for (const std::size_t size : sizes) {
+    polygon.resize(size);
+    std::iota(polygon.begin(), polygon.end(), first);
+    addPolygon(list, polygon, primitive);
+    first += size;
+  }
+}
+
+// \param corners Which of the list's. What has less than three is no surface.
+void DaeGeometry::addPolygon(const std::vector<std::size_t> &list, const std::vector<std::size_t> &corners,
+                             Primitive &primitive) const
+{
+  if (corners.size() > mostCorners) {
     refuse("a polygon has more than " + std::to_string(mostCorners) + " corners: export triangles");
   }
-  return static_cast<std::size_t>(
-      std::count_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size >= 3; }));
-}
-
-// Of one <p>; \e corners in it.
-std::size_t DaeGeometry::countIn(const std::string &kind, const pugi::xml_node &primitive, std::size_t corners) const
-{
-  if (kind == "triangles") {
-    if (corners != 3 * attribute(primitive, "count")) {
-      refuse("count=\"" + std::string(primitive.attribute("count").value()) + "\" of <triangles>, but its <p> has " +
-             std::to_string(corners) + " corners");
-    }
-    return corners / 3;
+  if (corners.size() < 3) {
+    return;
   }
-  if (kind == "polylist") {
-    return countPolylist(primitive, corners);
+  primitive.sizes.push_back(corners.size());
+  for (const std::size_t corner : corners) {
+    const auto first = list.begin() + static_cast<std::ptrdiff_t>(corner * primitive.stride);
+    primitive.indices.insert(primitive.indices.end(), first, first + static_cast<std::ptrdiff_t>(primitive.stride));
   }
-  if (kind == "polygons") {
-    if (corners > mostCorners) {
-      refuse("a polygon has more than " + std::to_string(mostCorners) + " corners: export triangles");
-    }
-    return corners >= 3 ? 1 : 0;
-  }
-  return corners >= 3 ? corners - 2 : 0; // Strips and fans.
-}
-
-std::size_t DaeGeometry::countPrimitive(const pugi::xml_node &primitive) const
-{
-  const pugi::xml_node vertex = primitive.find_child_by_attribute("input", "semantic", "VERTEX");
-  if (!vertex || std::string(withId(vertex.attribute("source").value()).name()) != "vertices") {
-    refuse(std::string("<") + primitive.name() + "> has no input VERTEX of <vertices>");
-  }
-  std::size_t stride = 1;
-  for (const pugi::xml_node &input : primitive.children("input")) {
-    stride = std::max(stride, attribute(input, "offset") + 1);
-  }
-  const std::string kind = primitive.name();
-  const bool isOneList = kind == "triangles" || kind == "polylist";
-  std::size_t lists = 0;
-  std::size_t polygons = 0;
-  for (const pugi::xml_node &p : primitive.children("p")) {
-    const std::vector<std::size_t> list = indices(p);
-    if (list.size() % stride != 0 || stride > 64) {
-      refuse("the <p> of <" + kind + "> has " + std::to_string(list.size()) + " numbers, " + std::to_string(stride) +
-             " are needed for each corner");
-    }
-    checkIndices(primitive, list, stride);
-    polygons += countIn(kind, primitive, list.size() / stride);
-    ++lists;
-  }
-  if (lists != (isOneList ? 1 : attribute(primitive, "count")) && !(isOneList && attribute(primitive, "count") == 0)) {
-    refuse("count=\"" + std::string(primitive.attribute("count").value()) + "\" of <" + kind + ">, but it has " +
-           std::to_string(lists) + " lists <p>");
-  }
-  return polygons;
-}
-
-std::size_t DaeGeometry::countPolygons() const
-{
-  if (!m_mesh) {
-    refuse("it is no <mesh>, which alone is read: export it as triangles");
-  }
-  checkSources();
-  std::size_t polygons = 0;
-  for (const pugi::xml_node &child : m_mesh.children()) {
-    const std::string name = child.name();
-    if (child.child("ph")) {
-      refuse("polygons with holes (<ph>) are not read: export triangles");
-    }
-    if (name == "triangles" || name == "polylist" || name == "polygons" || name == "tristrips" || name == "trifans") {
-      polygons += countPrimitive(child);
-    }
-  }
-  return polygons;
 }
 } // namespace vpMeshDetail
 END_VISP_NAMESPACE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/fileBytes.h"
 #include "files/gltfText.h"
+#include "files/gltfTransform.h"
 #include "files/sceneCheck.h"
 
 #include <visp3/core/vpException.h>
@@ -33,10 +34,12 @@ public:
 
   SceneCheck run()
   {
+    m_result.materials = list("materials").size();
     checkExtensions();
     checkViews();
     checkAccessors();
     checkMeshes();
+    checkMaterials();
     checkReferences("textures", "source", "images");
     checkReferences("textures", "sampler", "samplers");
     checkReferences("images", "bufferView", "bufferViews");
@@ -166,6 +169,17 @@ private:
     }
   }
 
+  void checkMaterials()
+  {
+    for (const Json &material : list("materials")) {
+      const Json pbr = material.is_object() ? material.value("pbrMetallicRoughness", Json::object()) : Json::object();
+      const Json texture = pbr.is_object() ? pbr.value("baseColorTexture", Json::object()) : Json::object();
+      if (texture.is_object() && texture.value("texCoord", 0) != 0) {
+        warn("a texture image may be misplaced: it has other texture coordinates than the first ones, TEXCOORD_0");
+      }
+    }
+  }
+
   // Each index in the members of a list is one of another list.
   void checkReferences(const char *name, const char *member, const char *others) const
   {
@@ -248,6 +262,7 @@ private:
         refuse("has more than " + std::to_string(mostPolygons) + " triangles: reduce them");
       }
     }
+    requireTransform(m_file, node);
     if (node.is_object() && node.contains("skin")) {
       warn("its skeleton is left out: the mesh is read as it is stored, not as the bones would pose it");
     }

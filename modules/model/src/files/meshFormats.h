@@ -6,8 +6,9 @@
 
 /*!
   \file meshFormats.h
-  Readers of the three formats that are simple enough to be read to the letter. assimp 5 reads them too, but repeats or
-  drops what it does not understand without a word, so that a file would have to be read here anyway to find out.
+  Readers of the formats that are read to the letter. assimp 5 reads them too, but repeats or drops what it does not
+  understand without a word, so that a file would have to be read here anyway to find out; on some files of COLLADA it
+  ends the program.
 */
 
 BEGIN_VISP_NAMESPACE
@@ -18,6 +19,8 @@ void readObj(MeshSink &sink);
 void readPly(MeshSink &sink);
 //! Text or binary. \throw vpException naming the file, and the line of what is wrong.
 void readStl(MeshSink &sink);
+//! COLLADA, as far as it is meshes in nodes. \throw vpException naming the file, and what is wrong in it.
+void readDae(MeshSink &sink);
 } // namespace vpMeshDetail
 END_VISP_NAMESPACE
 #endif

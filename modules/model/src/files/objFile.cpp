@@ -3,6 +3,8 @@
 #include "files/meshFormats.h"
 #include "files/mtlFile.h"
 
+#include <visp3/se3/vpExactNumber.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -23,10 +25,13 @@ const std::set<std::string> &passedOver()
 // What the format knows and is part of a surface, but not of triangles.
 const std::array<const char *, 8> freeForm = {{"curv", "curv2", "surf", "bzp", "bsp", "cdc", "cdp", "res"}};
 
+// Lines without a keyword; a file with more is none.
+constexpr std::size_t mostUnknown = 100000;
+
 class ObjReader
 {
 public:
-  explicit ObjReader(MeshSink &sink) : m_sink(sink), m_text(readBytes(sink.file()))
+  explicit ObjReader(MeshSink &sink) : m_sink(sink), m_text(readBytes(sink.file())), m_materials(sink)
   {
     dropByteOrderMark(sink.file(), m_text);
   }
@@ -50,6 +55,10 @@ public:
     if (lines.endsInLine() && !joined.empty()) {
       m_sink.builder().addWarning("'" + m_sink.file() + "' has no line end after its last line: is it whole?");
     }
+    if (m_unknown > 0) {
+      m_sink.builder().addWarning("'" + m_sink.file() + "' has " + std::to_string(m_unknown) +
+                                  " lines without a keyword of .obj files, the first one is " + m_firstUnknown);
+    }
     addFaces();
   }
 
@@ -59,6 +68,7 @@ private:
     std::size_t first;
     std::size_t count;
     int material;
+    std::size_t line;
   };
   struct Corner
   {
@@ -98,14 +108,25 @@ private:
     } else if (key == "f" || key == "fo") {
       addFace(line);
     } else if (key == "usemtl") {
-      m_material = materialIndex(std::string(trimmed(line)));
+      m_material = m_materials.index(std::string(trimmed(line)));
     } else if (key == "mtllib") {
-      addMaterials(std::string(trimmed(line)));
+      m_materials.addFiles(std::string(trimmed(line)));
     } else if (std::find(freeForm.begin(), freeForm.end(), key) != freeForm.end()) {
       m_sink.builder().addWarning("free-form curves and surfaces of '" + m_sink.file() +
                                   "' are left out: export the model as triangles");
     } else {
-      refuse("'" + key.substr(0, 20) + "' is no keyword of an .obj file");
+      addUnknown(key);
+    }
+  }
+
+  // Other readers pass over what they do not know, so that files have it: colours of vertices for instance.
+  void addUnknown(const std::string &key)
+  {
+    if (++m_unknown == 1) {
+      m_firstUnknown = "line " + std::to_string(m_line) + ", '" + key.substr(0, 20) + "'";
+    } else if (m_unknown > mostUnknown) {
+      refuse("'" + key.substr(0, 20) + "' is no keyword of an .obj file, like that of " + m_firstUnknown +
+             ", and too many others");
     }
   }
 
@@ -131,6 +152,11 @@ private:
              std::to_string(numbers.size()) + " numbers");
     }
     m_positions.emplace_back(numbers[0], numbers[1], numbers[2]);
+    if ((numbers.size() == 4 || numbers.size() == 7) && vpIsOther(numbers[3], 1.)) {
+      m_sink.builder().addWarning("'" + m_sink.file() +
+                                  "' has vertices with a weight other than 1, which only curves " +
+                                  "have: are there too many numbers?");
+    }
     if (!m_positions.back().allFinite()) {
       refuse("a coordinate is not finite");
     }
@@ -154,7 +180,8 @@ private:
     m_textures.emplace_back(static_cast<float>(numbers[0]), numbers.size() > 1 ? static_cast<float>(numbers[1]) : 0.F);
   }
 
-  // Counted from 1 or, with a minus sign, backwards from the last one that there is.
+  // Counted from 1 or, with a minus sign, backwards from the last one that there is. What comes later in the file may
+  // be meant: requireInRange() looks whether it came.
   std::size_t indexOf(std::string_view word, std::size_t count, const std::string &what) const
   {
     long long index = 0;
@@ -162,11 +189,28 @@ private:
       refuse("'" + std::string(word) + "' is no index of a " + what);
     }
     const long long fromZero = index < 0 ? static_cast<long long>(count) + index : index - 1;
-    if (fromZero < 0 || fromZero >= static_cast<long long>(count)) {
-      refuse("index " + std::to_string(index) + " of a face is out of range: there are " + std::to_string(count) + " " +
-             what + "s before it, the first is 1");
+    if (fromZero < 0) {
+      refuse("index " + std::to_string(index) + " of a face is out of range: there are " + std::to_string(count) +
+             " of a " + what + " before it, the first is 1");
     }
     return static_cast<std::size_t>(fromZero);
+  }
+
+  void requireInRange(const Face &face)
+  {
+    m_line = face.line;
+    const auto require = [this](std::size_t index, std::size_t count, const std::string &what) {
+      if (index >= count) {
+        refuse("index " + std::to_string(index + 1) + " of a face is out of range: there are " + std::to_string(count) +
+               " of a " + what + ", the first is 1");
+      }
+    };
+    for (std::size_t k = face.first; k < face.first + face.count; ++k) {
+      require(m_corners[k].position, m_positions.size(), "vertex");
+      if (m_corners[k].texture >= 0) {
+        require(static_cast<std::size_t>(m_corners[k].texture), m_textures.size(), "texture coordinate");
+      }
+    }
   }
 
   void addFace(std::string_view line)
@@ -185,37 +229,7 @@ private:
     if (m_corners.size() - first < 3) {
       refuse("a face needs three corners or more, here are " + std::to_string(m_corners.size() - first));
     }
-    m_faces.push_back({first, m_corners.size() - first, m_material});
-  }
-
-  int materialIndex(const std::string &name)
-  {
-    const auto found = std::find(m_materialNames.begin(), m_materialNames.end(), name);
-    if (found == m_materialNames.end()) {
-      m_materialNames.push_back(name);
-      return static_cast<int>(m_materialNames.size()) - 1;
-    }
-    return static_cast<int>(found - m_materialNames.begin());
-  }
-
-  // One name that may have blanks, or several.
-  void addMaterials(const std::string &names)
-  {
-    const std::string whole = m_sink.findBeside(names);
-    if (!whole.empty()) {
-      readMtl(whole, m_materials);
-      return;
-    }
-    std::string_view rest = names;
-    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
-      const std::string found = m_sink.findBeside(std::string(word));
-      if (found.empty()) {
-        m_missingMaterials = true;
-        m_sink.builder().addWarning("the material file '" + std::string(word) + "' is missing: its colours are, too");
-      } else {
-        readMtl(found, m_materials);
-      }
-    }
+    m_faces.push_back({first, m_corners.size() - first, m_material, m_line});
   }
 
   void addFaces()
@@ -223,7 +237,8 @@ private:
     m_colors.resize(m_colors.empty() ? 0 : m_positions.size(), Eigen::Vector3d::Constant(-1.));
     std::vector<MeshSink::Corner> corners;
     for (const Face &face : m_faces) {
-      const MtlMaterial material = materialOf(face);
+      requireInRange(face);
+      const MtlMaterial &material = m_materials.at(face.material);
       const bool textured = std::all_of(m_corners.begin() + static_cast<std::ptrdiff_t>(face.first),
                                         m_corners.begin() + static_cast<std::ptrdiff_t>(face.first + face.count),
                                         [](const Corner &corner) { return corner.texture >= 0; });
@@ -234,23 +249,6 @@ private:
       const bool hasImage = textured && !material.image.empty();
       m_sink.addPolygon(corners, hasImage ? m_sink.imageAt(material.image) : -1);
     }
-  }
-
-  MtlMaterial materialOf(const Face &face)
-  {
-    if (face.material < 0) {
-      return MtlMaterial();
-    }
-    const std::string &name = m_materialNames[static_cast<std::size_t>(face.material)];
-    const auto found = m_materials.find(name);
-    if (found != m_materials.end()) {
-      return found->second;
-    }
-    if (!m_missingMaterials) {
-      m_sink.builder().addWarning("the material '" + name + "' is in none of the material files of '" + m_sink.file() +
-                                  "'");
-    }
-    return MtlMaterial();
   }
 
   MeshSink::Corner cornerOf(const Corner &corner, const MtlMaterial &material, bool textured) const
@@ -277,10 +275,10 @@ private:
   std::vector<Eigen::Vector2f> m_textures;
   std::vector<Corner> m_corners;
   std::vector<Face> m_faces;
-  std::vector<std::string> m_materialNames;
-  std::map<std::string, MtlMaterial> m_materials;
+  std::size_t m_unknown = 0; // Lines.
+  std::string m_firstUnknown;
+  ObjMaterials m_materials;
   int m_material = -1;
-  bool m_missingMaterials = false;
 };
 } // namespace
 

@@ -41,6 +41,7 @@ class HeaderReader
 public:
   HeaderReader(const std::string &file, std::string_view bytes) : m_file(file), m_bytes(bytes)
   {
+    m_next = bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0; // A byte order mark.
     const std::string_view start = bytes.substr(0, longestHeader);
     const std::size_t end = start.find_first_of("\r\n");
     m_end = start.substr(std::min(end, start.size()), start.substr(std::min(end, start.size()), 2) == "\r\n" ? 2 : 1);

@@ -19,13 +19,13 @@ namespace vpMeshDetail {
 //! What a file of a scene holds.
 struct SceneCheck
 {
-  std::size_t polygons = 0;          //!< Of all instances of all meshes, lines and points not counted.
+  std::size_t polygons = 0; //!< Of all instances of all meshes, lines and points not counted.
+  //! That it has: those beyond are made up by assimp.
+  std::size_t materials = 0;
   std::vector<std::string> warnings; //!< What will not be as in the file.
   std::string content;               //!< The file without what is of no use here, for assimp to read.
 };
 
-//! A .dae file. \throw vpException naming the file and what is wrong in it.
-SceneCheck checkDae(const std::string &file);
 //! A .gltf or .glb file. \throw vpException naming the file and what is wrong in it.
 SceneCheck checkGltf(const std::string &file);
 

@@ -62,22 +62,36 @@ void setColor(const std::string &bytes, std::size_t at, bool isMaterialise, std:
   }
 }
 
+// The size tells the number of facets where the header does not: some programs write it before they know.
+std::size_t countFacets(MeshSink &sink, const std::string &bytes)
+{
+  const std::size_t room = (bytes.size() - firstFacet) / facetBytes;
+  const std::uint32_t told = wordAt(bytes, headerBytes);
+  const bool isUnknown = told == 0 || told == 0xFFFFFFFFU;
+  if (isUnknown && room > 0 && bytes.size() == firstFacet + room * facetBytes) {
+    sink.builder().addWarning("'" + sink.file() + "' tells no number of triangles in its header: all " +
+                              std::to_string(room) + " that it has room for are read");
+    return room;
+  }
+  if (bytes.size() < expectedSize(bytes)) {
+    refuseFile(sink.file(), "is cut off, or of another format: its header says " + std::to_string(told) +
+                                " triangles, it has room for " + std::to_string(room));
+  }
+  if (bytes.size() > expectedSize(bytes)) {
+    sink.builder().addWarning("'" + sink.file() + "' goes on after the number of triangles that its header says");
+  }
+  return told;
+}
+
 void readBinary(MeshSink &sink, const std::string &bytes)
 {
   if (bytes.size() < firstFacet) {
     refuseFile(sink.file(), "is no STL file, or cut off: it has " + std::to_string(bytes.size()) + " bytes");
   }
-  if (bytes.size() < expectedSize(bytes)) {
-    refuseFile(sink.file(), "is cut off, or of another format: its header says " +
-                                std::to_string(wordAt(bytes, headerBytes)) + " triangles, it has room for " +
-                                std::to_string((bytes.size() - firstFacet) / facetBytes));
-  }
-  if (bytes.size() > expectedSize(bytes)) {
-    sink.builder().addWarning("'" + sink.file() + "' goes on after the number of triangles that its header says");
-  }
+  const std::size_t facets = countFacets(sink, bytes);
   const bool isMaterialise = std::string_view(bytes).substr(0, headerBytes).find("COLOR=") != std::string_view::npos;
   std::vector<MeshSink::Corner> corners(3);
-  for (std::size_t at = firstFacet; at < expectedSize(bytes); at += facetBytes) {
+  for (std::size_t at = firstFacet; at < firstFacet + facets * facetBytes; at += facetBytes) {
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = MeshSink::Corner();
       for (std::size_t i = 0; i < 3; ++i) {
@@ -173,8 +187,9 @@ private:
 void readStl(MeshSink &sink)
 {
   std::string bytes = readBytes(sink.file());
-  if (bytes.compare(0, 3, "\xEF\xBB\xBF") == 0) {
-    bytes.erase(0, 3);
+  const bool hasBinarySize = bytes.size() >= firstFacet && bytes.size() == expectedSize(bytes);
+  if (!hasBinarySize) {
+    dropByteOrderMark(sink.file(), bytes);
   }
   if (isBinary(bytes)) {
     readBinary(sink, bytes);

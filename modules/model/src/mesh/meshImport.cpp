@@ -49,7 +49,11 @@ struct Material
 class SceneReader
 {
 public:
-  SceneReader(const aiScene &scene, MeshSink &sink) : m_scene(scene), m_sink(sink) {}
+  //! \param materials How many the file has; assimp appends one of its own for what has none.
+  SceneReader(const aiScene &scene, std::size_t materials, MeshSink &sink)
+      : m_scene(scene), m_materials(materials), m_sink(sink)
+  {
+  }
 
   void addNode(const aiNode &node, const Eigen::Affine3d &objectFromParent)
   {
@@ -103,6 +107,9 @@ private:
   Material materialOf(const aiMesh &mesh)
   {
     Material result;
+    if (mesh.mMaterialIndex >= m_materials) {
+      return result;
+    }
     const aiMaterial &material = *m_scene.mMaterials[mesh.mMaterialIndex];
     aiString name;
     material.Get(AI_MATKEY_NAME, name);
@@ -148,6 +155,7 @@ private:
   }
 
   const aiScene &m_scene;
+  std::size_t m_materials;
   MeshSink &m_sink;
   std::map<std::string, int> m_embedded;
 };
@@ -171,11 +179,6 @@ std::size_t countPolygons(const aiScene &scene, const aiNode &node)
 {
   throw vpException(vpException::ioError,
                     "model '" + file + "' cannot be read, is it broken or of another format? " + reason);
-}
-
-bool isDae(const std::string &file)
-{
-  return lowerCase(std::filesystem::path(file).extension().string()) == ".dae";
 }
 
 //! assimp keeps coordinates as 32-bit floats. \throw vpException where too little of the shape is left.
@@ -203,11 +206,9 @@ void checkDigits(const aiScene &scene, MeshSink &sink)
 void importScene(MeshSink &sink)
 {
   const std::string &file = sink.file();
-  const SceneCheck check = isDae(file) ? checkDae(file) : checkGltf(file);
+  const SceneCheck check = checkGltf(file);
   Assimp::Importer importer;
   importer.SetIOHandler(new AssetFiles(file, check.content)); // The importer deletes it.
-  // The frame of the object is the one that its file was written in, for this format as for the others.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   // What has no mesh would get one made up for its nodes.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene *scene = importer.ReadFile(file, 0);
@@ -229,7 +230,7 @@ void importScene(MeshSink &sink)
     refuseUnreadable(file, importer.GetErrorString());
   }
   checkDigits(*scene, sink);
-  SceneReader(*scene, sink).addNode(*scene->mRootNode, sink.placement());
+  SceneReader(*scene, check.materials, sink).addNode(*scene->mRootNode, sink.placement());
   for (const std::string &warning : check.warnings) {
     sink.builder().addWarning(warning);
   }
@@ -246,6 +247,8 @@ void importMesh(const std::string &file, double unit, const vpHomogeneousMatrix 
     readPly(sink);
   } else if (extension == ".stl") {
     readStl(sink);
+  } else if (extension == ".dae") {
+    readDae(sink);
   } else {
     importScene(sink);
   }

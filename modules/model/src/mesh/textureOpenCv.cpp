@@ -26,7 +26,7 @@ vpImage<vpRGBa> decodeTextureImage(const unsigned char *bytes, std::size_t count
   cv::Mat decoded;
   try {
     const std::vector<unsigned char> buffer(bytes, bytes + count);
-    decoded = cv::imdecode(buffer, cv::IMREAD_COLOR);
+    decoded = cv::imdecode(buffer, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception &) {
     // Broken bytes and images too large for memory: the caller reports that there is no image.
     return vpImage<vpRGBa>();
