@@ -71,6 +71,11 @@ void XmlDocument::checkChildren(const pugi::xml_node &parent, const std::string 
     if (!known) {
       refuse(node, quoted(node) + " is not known in " + quoted(parent) + "; " + knownBelow(parentPath, node.name()));
     }
+    // ViSP's parser takes the last of two, or parts of both. A calibration has several cameras and models.
+    const bool isCalibration = path == "camera/model" || (path == "camera" && node.child("model"));
+    if (known->kind != XmlNode::ANYTHING && !isCalibration && parent.child(node.name()) != node) {
+      refuse(node, quoted(node) + " is there twice in " + quoted(parent) + ": delete one of both");
+    }
     if (known->kind == XmlNode::GROUP) {
       checkChildren(node, path);
     } else if (known->kind != XmlNode::ANYTHING) {
@@ -84,6 +89,9 @@ void XmlDocument::checkNumber(const pugi::xml_node &node, const XmlNode &known) 
   for (const pugi::xml_node &child : node.children()) {
     if (child.type() == pugi::node_element) {
       refuse(child, quoted(child) + " is not known in " + quoted(node) + "; " + knownBelow(known.path));
+    }
+    if (child != node.first_child()) { // Only the first part of it would be read.
+      refuse(node, quoted(node) + " has a comment in its number: put it before or after the node");
     }
   }
   const bool whole = known.kind == XmlNode::WHOLE;
