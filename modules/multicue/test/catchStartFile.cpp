@@ -10,6 +10,8 @@
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
 namespace {
+using namespace fileVariants;
+
 struct Fixture
 {
   Fixture()
@@ -42,7 +44,7 @@ TEST_CASE("A start pose needs all six of its numbers", "[files]")
 {
   Fixture f;
   const std::string good = f.folder.write("good.pos", "# a start\n" + poseText());
-  const fileVariants::CommaLocale comma;
+  const CommaLocale comma;
   f.tracker.initFromPose(f.I, good);
   CHECK((renderedBox::pose().inverse() * f.tracker.getPose()).getTranslationVector().frobeniusNorm() < 1e-9);
   for (const auto &[text, told] : {std::pair<std::string, std::string>{"0 0 0.5 0 0", "5 numbers"},
@@ -80,4 +82,34 @@ TEST_CASE("Points to start from need all of their numbers", "[files]")
   CHECK_THAT(messageOf([&] { f.tracker.initClick(f.I, file); }), ContainsSubstring("click.init"));
   CHECK_THAT(messageOf([&] { f.tracker.initClick(f.I, f.folder.path("no-clicks")); }),
              ContainsSubstring("no-clicks.init"));
+}
+
+TEST_CASE("Start files that are cut off, edited, or saved in another encoding are read rightly or refused", "[files]")
+{
+  Fixture f;
+  f.tracker.setRenderer(vpModelRenderer::Preference::CPU);
+  // Words apart from their ends of lines; a number may lose digits without that anybody can tell.
+  const std::string pose = "# translation, m\n0.1 -0.05 0.5 # theta u, rad\n0.25 0.5 1\n";
+  const auto readPose = [&](const std::string &content) {
+    f.tracker.initFromPose(f.I, f.folder.write("variant.pos", content));
+    std::ostringstream text;
+    text << vpPoseVector(f.tracker.getPose()).t();
+    return Outcome{text.str(), false};
+  };
+  const std::vector<Variant> poses =
+      together({encodings(pose), cutsOfNumbers(pose), tokenEdits(pose), byteFlips(pose, 100)});
+  CHECK(faults(poses, "variant.pos", readPose(pose).what, readPose) == "");
+
+  const std::string points =
+      "4 # points\n0 0 0\n0.1 0 0\n0 0.1 0\n0.1 0.1 0\n4 # pixels\n200 200\n200 300\n300 200\n300 300\n";
+  const auto readPoints = [&](const std::string &content) {
+    f.tracker.initFromPoints(f.I, f.folder.write("variant.init", content));
+    std::ostringstream text;
+    text.precision(4);
+    text << vpPoseVector(f.tracker.getPose()).t();
+    return Outcome{text.str(), false};
+  };
+  const std::vector<Variant> starts =
+      together({encodings(points), cutsOfNumbers(points), tokenEdits(points), byteFlips(points, 100)});
+  CHECK(faults(starts, "variant.init", readPoints(points).what, readPoints) == "");
 }

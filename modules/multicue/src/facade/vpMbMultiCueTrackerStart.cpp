@@ -4,6 +4,8 @@
 #include "facade/vpTrackerImpl.h"
 #include "model/vpStartFile.h"
 
+#include <visp3/core/vpTrackingException.h>
+
 #include <locale>
 
 // vpMbTracker finds the pose and ends in init() with a gray image: the colours are learnt afterwards.
@@ -23,6 +25,18 @@ public:
 private:
   std::locale m_before;
 };
+
+// What is wrong with the start of a file is said with its name.
+template <typename Start> void startFrom(const std::string &file, const Start &start)
+{
+  try {
+    start();
+  } catch (const vpTrackingException &) {
+    throw; // What a caller may wait for.
+  } catch (const vpException &e) {
+    throw vpException(e.getCode(), "The start file '" + file + "' does not give a start: " + e.getMessage());
+  }
+}
 } // namespace
 
 void vpMbMultiCueTracker::initClick(const vpImage<unsigned char> &I, const std::string &initFile, bool displayHelp,
@@ -36,12 +50,13 @@ void vpMbMultiCueTracker::initClick(const vpImage<unsigned char> &I, const std::
 void vpMbMultiCueTracker::initFromPoints(const vpImage<unsigned char> &I, const std::string &initFile)
 {
   const vpStartFile::Points points = vpStartFile::readPoints(initFile);
-  vpMbTracker::initFromPoints(I, points.image, points.object);
+  startFrom(initFile, [&] { vpMbTracker::initFromPoints(I, points.image, points.object); });
 }
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<unsigned char> &I, const std::string &initFile)
 {
-  vpMbTracker::initFromPose(I, vpStartFile::readPose(initFile));
+  const vpPoseVector pose = vpStartFile::readPose(initFile);
+  startFrom(initFile, [&] { vpMbTracker::initFromPose(I, pose); });
 }
 
 void vpMbMultiCueTracker::initClick(const vpImage<vpRGBa> &I_color, const std::string &initFile, bool displayHelp,
@@ -63,8 +78,10 @@ void vpMbMultiCueTracker::initClick(const vpImage<vpRGBa> &I_color, const std::v
 void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const std::string &initFile)
 {
   const vpStartFile::Points points = vpStartFile::readPoints(initFile);
-  vpMbTracker::initFromPoints(I_color, points.image, points.object);
-  m_impl->startOn(I_color);
+  startFrom(initFile, [&] {
+    vpMbTracker::initFromPoints(I_color, points.image, points.object);
+    m_impl->startOn(I_color);
+  });
 }
 
 void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const std::vector<vpImagePoint> &points2D_list,
@@ -76,8 +93,11 @@ void vpMbMultiCueTracker::initFromPoints(const vpImage<vpRGBa> &I_color, const s
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const std::string &initFile)
 {
-  vpMbTracker::initFromPose(I_color, vpStartFile::readPose(initFile));
-  m_impl->startOn(I_color);
+  const vpPoseVector pose = vpStartFile::readPose(initFile);
+  startFrom(initFile, [&] {
+    vpMbTracker::initFromPose(I_color, pose);
+    m_impl->startOn(I_color);
+  });
 }
 
 void vpMbMultiCueTracker::initFromPose(const vpImage<vpRGBa> &I_color, const vpHomogeneousMatrix &cMo)
