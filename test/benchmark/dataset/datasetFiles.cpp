@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dataset/datasetFiles.h"
 
+#include "frames/filePattern.h"
+
 #include <visp3/core/vpException.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iomanip>
 #include <locale>
 #include <sstream>
 
@@ -29,47 +30,6 @@ std::size_t typeRank(const fs::path &file)
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   const auto *found = std::find(imageTypes.begin(), imageTypes.end(), type);
   return static_cast<std::size_t>(found - imageTypes.begin());
-}
-
-struct Conversion
-{
-  std::string before;
-  std::string after;
-  int width = 0;
-  bool zeros = false;
-};
-
-[[noreturn]] void refusePattern(const std::string &pattern)
-{
-  fail("'" + pattern + "' is no pattern of numbered files: one %d or %04d has to stand where their number is");
-}
-
-Conversion parsePattern(const std::string &pattern)
-{
-  Conversion result;
-  bool found = false;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    std::string &text = found ? result.after : result.before;
-    if (pattern[i] != '%') {
-      text += pattern[i];
-      continue;
-    }
-    const std::size_t end = pattern.find_first_not_of("0123456789", i + 1);
-    if (end == i + 1 && pattern[end] == '%') {
-      text += '%';
-    } else if (end != std::string::npos && pattern[end] == 'd' && !found && end - i <= 3) {
-      found = true;
-      result.zeros = pattern[i + 1] == '0';
-      result.width = std::max(0, numberOf(pattern.substr(i + 1, end - i - 1)));
-    } else {
-      refusePattern(pattern);
-    }
-    i = end;
-  }
-  if (!found) {
-    refusePattern(pattern);
-  }
-  return result;
 }
 } // namespace
 
@@ -145,12 +105,7 @@ std::map<int, fs::path> numberedImages(const fs::path &folder)
 
 std::string numberedPath(const std::string &pattern, int number)
 {
-  const Conversion conversion = parsePattern(pattern);
-  std::ostringstream path;
-  path.imbue(std::locale::classic());
-  path << conversion.before << std::setw(conversion.width) << std::setfill(conversion.zeros ? '0' : ' ') << number
-       << conversion.after;
-  return path.str();
+  return programs::FilePattern(pattern).name(number);
 }
 
 std::vector<double> parseNumbers(const std::string &text, const std::string &place)
@@ -179,7 +134,9 @@ std::string readText(const fs::path &file)
   if (!stream) {
     fail("The file " + inQuotes(file) + " cannot be read");
   }
-  return text.str();
+  const std::string mark = "\xEF\xBB\xBF"; // Of UTF-8, which some editors put before a text.
+  const std::string content = text.str();
+  return content.compare(0, mark.size(), mark) == 0 ? content.substr(mark.size()) : content;
 }
 
 } // namespace bench

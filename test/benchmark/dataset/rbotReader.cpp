@@ -4,7 +4,10 @@
 #include "dataset/checkedGeometry.h"
 #include "dataset/datasetFiles.h"
 
+#include <visp3/se3/vpExactNumber.h>
+
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -42,11 +45,28 @@ std::vector<std::vector<double>> readTable(const fs::path &file)
   return rows;
 }
 
+std::size_t countTitles(const fs::path &file)
+{
+  std::istringstream text(readText(file));
+  std::string line;
+  std::getline(text, line);
+  std::istringstream words(isTitle(line) ? line : "");
+  return static_cast<std::size_t>(
+      std::distance(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()));
+}
+
 vpCameraParameters readCamera(const fs::path &file)
 {
   const std::vector<std::vector<double>> rows = readTable(file);
   if (rows.empty() || rows[0].size() < 4) {
     fail(inQuotes(file) + ": fx, fy, cx and cy are needed in the second line");
+  }
+  if (rows[0].size() < countTitles(file)) {
+    fail(inQuotes(file) + ": the second line has fewer numbers than the first one has titles");
+  }
+  if (std::any_of(rows[0].begin() + 4, rows[0].end(), [](double number) { return !vpIsZero(number); })) {
+    fail(inQuotes(file) + ": the camera has distortion, which RBOT's images do not have: a number other than 0 follows "
+                          "fx, fy, cx and cy");
   }
   // From centres of pixels at halves to centres at integers, see the header.
   return checkedCamera(rows[0][0], rows[0][1], rows[0][2] - 0.5, rows[0][3] - 0.5, inQuotes(file));

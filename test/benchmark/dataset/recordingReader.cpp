@@ -3,6 +3,7 @@
 
 #include "dataset/checkedGeometry.h"
 #include "dataset/datasetFiles.h"
+#include "frames/filePattern.h"
 
 #include <visp3/model/vpModelReader.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
@@ -45,11 +46,11 @@ SequenceObject readObject(const Recording &recording)
   return object;
 }
 
-SequenceFrame readFrame(const Recording &recording, int number, const vpCameraParameters &cam)
+SequenceFrame readFrame(const Recording &recording, int number, const std::string &image, const vpCameraParameters &cam)
 {
   SequenceFrame frame;
   frame.id = number;
-  frame.image = numberedPath(recording.images, number);
+  frame.image = image;
   frame.cam = cam;
   const std::string poseFile = numberedPath(recording.poses, number);
   frame.hasTruth = exists(poseFile);
@@ -61,42 +62,24 @@ SequenceFrame readFrame(const Recording &recording, int number, const vpCameraPa
   return frame;
 }
 
-// A recording ends with its last image; a gap in its numbers is no end, and other programs go on after it.
-void requireNoLater(const Recording &recording, int missing)
-{
-  const int farthest = 1000; // Numbers that are looked at.
-  for (int number = missing; number < missing + farthest; ++number) {
-    const std::string image = numberedPath(recording.images, number);
-    if (exists(image)) {
-      fail("The image " + inQuotes(numberedPath(recording.images, missing)) + " is missing, but " + inQuotes(image) +
-           " is there: number the images without gaps, or say which is the last one and the step between them");
-    }
-  }
-}
-
 std::vector<SequenceFrame> readFrames(const Recording &recording, const vpCameraParameters &cam)
 {
   std::vector<SequenceFrame> frames;
-  for (int number = recording.first; recording.last < 0 || number <= recording.last; number += recording.step) {
-    const std::string image = numberedPath(recording.images, number);
-    if (!exists(image) && recording.last < 0 && number > recording.first) {
-      requireNoLater(recording, number);
-      break;
-    }
-    requireFile(image, "the recording needs it");
-    frames.push_back(readFrame(recording, number, cam));
+  const programs::FilePattern images(recording.images);
+  for (const auto &[number, image] : images.frames(recording.first, recording.last, recording.step)) {
+    frames.push_back(readFrame(recording, number, image, cam));
   }
   if (!frames.empty() && !frames.front().hasTruth) {
-    requireFile(numberedPath(recording.poses, recording.first), "the first image needs a pose");
+    requireFile(numberedPath(recording.poses, frames.front().id), "the first image needs a pose");
   }
   return frames;
 }
 
 void check(const Recording &recording)
 {
-  if (recording.first < 0 || recording.step < 1) {
-    fail("The recording '" + recording.name + "' starts at number " + std::to_string(recording.first) +
-         " with a step of " + std::to_string(recording.step) + ": neither may be negative, and the step not 0");
+  if (recording.step < 1) {
+    fail("The recording '" + recording.name + "' has a step of " + std::to_string(recording.step) +
+         " from image to image: it has to be 1 or more");
   }
 }
 } // namespace

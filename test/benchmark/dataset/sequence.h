@@ -84,7 +84,7 @@ struct Recording
   std::string model;              //!< .cao, .wrl or mesh.
   double unit = 1.;               //!< Metres per unit of a mesh.
   std::string camera; //!< ViSP's XML file with a camera (a tracker's configuration, or vpXmlParserCamera's).
-  int first = 0;      //!< Number of the first image.
+  int first = -1;     //!< Number of the first image, -1 for the first that there is.
   int last = -1;      //!< Number of the last one, -1 for as many as there are.
   int step = 1;       //!< Distance of the numbers.
 };

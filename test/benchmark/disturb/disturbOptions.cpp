@@ -20,7 +20,7 @@ bool DisturbOptions::read(int argc, const char *const argv[])
   line.add("--dataset", "folder of the data set", dataset);
   line.add("--scene", "one scene", scene);
   line.add("--images", "recording: printf pattern of the images, or a video", images);
-  line.add("--first", "recording: number of the first image; default 0", first, 0);
+  line.add("--first", "recording: number of the first image; default: the first that there is", first, 0);
   line.add("--last", "recording: number of the last image; default: as many as there are", last, 0);
   line.add("--poses", "recording: printf pattern of the true poses, vpHomogeneousMatrix as text", poses);
   line.add("--start", "recording: the first pose, 6 numbers as in ViSP's .pos files; --follower gives the others",

@@ -12,7 +12,7 @@ struct DisturbOptions
   std::string dataset;
   std::string scene;
   std::string images; //!< In place of dataset and scene: printf pattern, or a video.
-  int first = 0;
+  int first = -1;
   int last = -1;     //!< -1: as many as there are.
   std::string poses; //!< printf pattern of true poses, as text files of 16 numbers.
   std::string start; //!< In place of them: file of the first pose, 6 numbers as ViSP's .pos files have.

@@ -6,15 +6,12 @@
 #include "evaluate/evaluation.h"
 #include "evaluate/imageStore.h"
 #include "evaluate/poseError.h"
+#include "frames/frameReader.h"
+#include "track/startFiles.h"
 
-#include <visp3/core/vpException.h>
 #include <visp3/core/vpImageConvert.h>
-#include <visp3/core/vpPoseVector.h>
-#include <visp3/io/vpVideoReader.h>
 #include <visp3/model/vpModelReader.h>
 #include <visp3/multicue/vpMultiCueSettings.h>
-
-#include <fstream>
 
 namespace bench {
 
@@ -38,42 +35,29 @@ void openScene(const DisturbOptions &options, Footage &footage)
   }
 }
 
-void readImages(const DisturbOptions &options, Footage &footage)
+// \return The number of each image.
+std::vector<int> readImages(const DisturbOptions &options, Footage &footage)
 {
-  vpVideoReader reader;
-  reader.setFileName(options.images);
-  if (options.images.find('%') != std::string::npos) {
-    reader.setFirstFrameIndex(options.first);
-    if (options.last >= 0) {
-      reader.setLastFrameIndex(options.last);
-    }
-  }
-  vpImage<vpRGBa> I;
-  reader.open(I);
-  while (!reader.end()) {
-    reader.acquire(I);
+  programs::FrameSource source;
+  const bool isVideo = options.images.find('%') == std::string::npos;
+  (isVideo ? source.video : source.images) = options.images;
+  source.first = options.first;
+  source.last = options.last;
+  const std::unique_ptr<programs::FrameReader> reader = programs::openFrames(source);
+  std::vector<int> numbers;
+  for (vpImage<vpRGBa> I; reader->next(I);) {
     footage.images.emplace_back();
     footage.images.back().color = I;
     vpImageConvert::convert(I, footage.images.back().gray);
+    numbers.push_back(reader->number());
   }
-}
-
-vpHomogeneousMatrix readStart(const std::string &name)
-{
-  std::ifstream file(name);
-  vpPoseVector pose;
-  for (unsigned int i = 0; i < 6; ++i) {
-    if (!(file >> pose[i])) {
-      throw vpException(vpException::ioError, "The start '%s' cannot be read: it must have 6 numbers", name.c_str());
-    }
-  }
-  return vpHomogeneousMatrix(pose);
+  return numbers;
 }
 
 // Where the followers have the object.
 void followTruth(const DisturbOptions &options, Footage &footage)
 {
-  const vpHomogeneousMatrix start = readStart(options.start);
+  const vpHomogeneousMatrix start = programs::readPose(options.start);
   const PoseErrorMeasure measure(footage.object, *footage.model);
   footage.isSeen.assign(footage.images.size(), true);
   for (const std::string &name : options.followers) {
@@ -105,13 +89,13 @@ void openRecordedImages(const DisturbOptions &options, Footage &footage)
   footage.object.diameter = measuredDiameter(footage.object);
   footage.model = loadModel(footage.object);
   footage.cam = vpMultiCueSettingsReader::read(options.config, vpMultiCueSettings()).camera;
-  readImages(options, footage);
+  const std::vector<int> numbers = readImages(options, footage);
   if (options.poses.empty()) {
     followTruth(options, footage);
     return;
   }
-  for (std::size_t i = 0; i < footage.images.size(); ++i) {
-    const std::string name = numberedPath(options.poses, options.first + static_cast<int>(i));
+  for (const int number : numbers) {
+    const std::string name = numberedPath(options.poses, number);
     footage.truth.push_back(checkedTransform(parseNumbers(readText(name), inQuotes(name)), 1., inQuotes(name)));
     footage.isSeen.push_back(true);
   }

@@ -46,7 +46,7 @@ bool EvaluateOptions::read(int argc, const char *const argv[])
   line.add("--model", "recording: .cao, .wrl or mesh", recording.model);
   line.add("--unit", "recording: metres per unit of a mesh; default 1", recording.unit);
   line.add("--camera", "recording: ViSP's XML file with the camera", recording.camera);
-  line.add("--first", "recording: number of the first image; default 0", recording.first, 0);
+  line.add("--first", "recording: number of the first image; default: the first that there is", recording.first, 0);
   line.add("--last", "recording: number of the last image; default: as many as there are", recording.last, 0);
   if (!line.read(argc, argv)) {
     return false;

@@ -19,7 +19,7 @@ const cv::Mat &ImageStore::decoded(std::size_t index)
     return known->second;
   }
   const std::string &file = m_sequence.frames[index].image;
-  m_last = readColorImage(file, m_depth);
+  m_last = programs::readColorImage(file, m_depth);
   if (m_size.empty()) {
     m_size = m_last.size();
   }

@@ -2,7 +2,7 @@
 #ifndef benchImageStore_h
 #define benchImageStore_h
 
-#include "dataset/imageFile.h"
+#include "frames/imageFile.h"
 #include "evaluate/benchTracker.h"
 
 #include <opencv2/core.hpp>
@@ -32,7 +32,7 @@ private:
   std::unordered_map<std::size_t, cv::Mat> m_images;
   cv::Mat m_last; // Where the store is full.
   cv::Size m_size;
-  ImageDepth m_depth;
+  programs::ImageDepth m_depth;
   std::size_t m_bytes = 0;
 };
 

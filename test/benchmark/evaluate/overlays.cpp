@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "evaluate/overlays.h"
 
-#include "dataset/imageFile.h"
-
 #include "evaluate/base64.h"
 #include "evaluate/imageStore.h"
 
@@ -127,7 +125,7 @@ std::vector<OverlayRow> worstFrames(const Evaluation &evaluation, std::size_t mo
     const int id = worst.group.front()->records[worst.record].frame;
     const auto frame = std::find_if(sequence.frames.begin(), sequence.frames.end(),
                                     [id](const SequenceFrame &known) { return known.id == id; });
-    const cv::Mat image = readColorImage(frame->image);
+    const cv::Mat image = programs::readColorImage(frame->image);
     if (image.empty()) {
       continue;
     }

@@ -4,6 +4,7 @@
 #include "dataset/largestDistance.h"
 #include "dataset/datasetFiles.h"
 #include "datasetFolder.h"
+#include "frames/filePattern.h"
 
 #include <visp3/se3/vpPoseRandom.h>
 
@@ -41,6 +42,29 @@ TEST_CASE("Numbered paths are those of printf", "[dataset]")
   CHECK(bench::numberedPath("a-%04d.png", 12) == "a-0012.png");
   CHECK(bench::numberedPath("a-%4d.png", 12) == "a-  12.png");
   CHECK(bench::numberedPath("100%%/%02d", 123) == "100%/123");
+}
+
+TEST_CASE("The files of a pattern are those whose name printf() would write", "[dataset]")
+{
+  const DatasetFolder folder;
+  for (const char *name : {"a-0001.png", "a-0002.png", "a-3.png", "a-00004.png", "a-10000.png", "a-   7.png", "a-x.png",
+                           "b/01/rgb.png", "b/02/rgb.png", "b/3/rgb.png", "50%-8.png"}) {
+    folder.put(name);
+  }
+  const auto numbers = [&](const std::string &pattern) {
+    std::string all;
+    for (const auto &[number, file] : programs::FilePattern(folder.path(pattern)).existing()) {
+      CHECK(std::filesystem::is_regular_file(file));
+      all += std::to_string(number) + " ";
+    }
+    return all;
+  };
+  CHECK(numbers("a-%04d.png") == "1 2 10000 ");
+  CHECK(numbers("a-%d.png") == "3 10000 ");
+  CHECK(numbers("a-%4d.png") == "7 10000 ");
+  CHECK(numbers("b/%02d/rgb.png") == "1 2 ");
+  CHECK(numbers("50%%-%d.png") == "8 ");
+  CHECK(numbers("none%d.png") == "");
 }
 
 TEST_CASE("Of two types of an image one is taken, and other files are left", "[dataset]")

@@ -3,9 +3,11 @@
 
 #include "datasetFolder.h"
 
-#include "dataset/imageFile.h"
 #include "dataset/largestDistance.h"
+#include "check/setupCheck.h"
+#include "dataset/datasetFiles.h"
 #include "evaluate/imageStore.h"
+#include "frames/frameReader.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -142,10 +144,37 @@ TEST_CASE("An orientation tag does not turn the pixels of an image", "[files]")
       const cv::Mat turned = cv::imread(file);
       CHECK((turned.cols != 64 || turned.at<cv::Vec3b>(4, 4)[0] < 128));
     }
-    const cv::Mat read = bench::readColorImage(file);
+    const cv::Mat read = programs::readColorImage(file);
     REQUIRE(read.cols == 64);
     CHECK(read.at<cv::Vec3b>(4, 4)[0] > 200);
     CHECK(read.at<cv::Vec3b>(40, 60)[0] < 50);
+  }
+}
+
+TEST_CASE("Every program sees the pixels of an image as they are stored, with the brightness that they have", "[files]")
+{
+  const DatasetFolder folder;
+  cv::Mat image(48, 64, CV_8UC3, cv::Scalar(0, 0, 0));
+  image(cv::Rect(0, 0, 16, 16)).setTo(cv::Scalar(255, 255, 255));
+  folder.put("turned0.jpg", withOrientation(encoded(".jpg", image), '\6'));
+  cv::Mat deep(48, 64, CV_16UC1, cv::Scalar(0));
+  deep(cv::Rect(0, 0, 16, 16)).setTo(cv::Scalar(4095));
+  folder.put("deep0.png", encoded(".png", deep));
+  for (const char *pattern : {"turned%d.jpg", "deep%d.png"}) {
+    CAPTURE(pattern);
+    programs::FrameSource source;
+    source.images = folder.path(pattern);
+    vpImage<vpRGBa> I;
+    REQUIRE(programs::openFrames(source)->next(I));
+    REQUIRE(I.getWidth() == 64);
+    CHECK(I[4][4].R > 200);
+    CHECK(I[40][60].R < 50);
+    programs::Setup setup;
+    setup.image = bench::numberedPath(folder.path(pattern), 0);
+    const std::vector<std::string> lines = programs::checkSetup(setup).lines;
+    CHECK(std::any_of(lines.begin(), lines.end(), [](const std::string &line) {
+      return line.find("64 x 48") != std::string::npos && line.find("brightness 21") != std::string::npos;
+    }));
   }
 }
 
@@ -158,16 +187,16 @@ TEST_CASE("Images of more than eight bits keep their brightness, the same in a s
     return folder.put(name, encoded(".png", image));
   };
   for (const auto &[largest, bits] : {std::pair<int, int>{1000, 10}, {4095, 12}, {16000, 14}, {65535, 16}}) {
-    bench::ImageDepth depth;
-    const cv::Mat image = bench::readColorImage(write("deep.png", largest), depth);
+    programs::ImageDepth depth;
+    const cv::Mat image = programs::readColorImage(write("deep.png", largest), depth);
     CHECK(depth.bits == bits);
     CHECK(static_cast<int>(image.at<cv::Vec3b>(2, 3)[1]) == cvRound(255. * largest / ((1 << bits) - 1)));
   }
-  bench::ImageDepth depth;
-  bench::readColorImage(write("first.png", 4000), depth);
-  const cv::Mat darker = bench::readColorImage(write("darker.png", 500), depth);
+  programs::ImageDepth depth;
+  programs::readColorImage(write("first.png", 4000), depth);
+  const cv::Mat darker = programs::readColorImage(write("darker.png", 500), depth);
   CHECK(static_cast<int>(darker.at<cv::Vec3b>(2, 3)[0]) == 31);
-  CHECK_THAT(messageOf([&] { bench::readColorImage(write("brighter.png", 5000), depth); }),
+  CHECK_THAT(messageOf([&] { programs::readColorImage(write("brighter.png", 5000), depth); }),
              ContainsSubstring("brighter.png") && ContainsSubstring("12 bits"));
 }
 
@@ -186,8 +215,19 @@ TEST_CASE("A gap in the numbers of a recording is no end", "[files]")
       folder.put("camera.xml", "<conf><camera><px>1000</px><py>1000</py><u0>320</u0><v0>240</v0></camera></conf>");
   CHECK_THAT(messageOf([&] { bench::openRecording(recording); }),
              ContainsSubstring("image2.png") && ContainsSubstring("image3.png"));
-  recording.last = 1;
+  // What tracks and what evaluates see the same frames, or the same gap.
+  programs::FrameSource source;
+  source.images = recording.images;
+  CHECK_THAT(messageOf([&] { programs::openFrames(source); }),
+             ContainsSubstring("image2.png") && ContainsSubstring("image3.png"));
+  recording.last = source.last = 1;
   CHECK(bench::openRecording(recording).frames.size() == 2);
+  CHECK(programs::openFrames(source)->last() == 1);
+  recording.first = source.first = 1;
+  recording.last = source.last = 3;
+  recording.step = source.step = 2;
+  CHECK(bench::openRecording(recording).frames.back().id == 3);
+  CHECK(programs::openFrames(source)->last() == 3);
 }
 
 TEST_CASE("The largest distance of 200,000 points of a ball takes seconds", "[files]")

@@ -96,6 +96,10 @@ TEST_CASE("A broken RBOT data set ends with the file and the line or frame", "[d
     CHECK_THAT(message(), ContainsSubstring("camera_calibration.txt") && ContainsSubstring("cy"));
     folder.put("camera_calibration.txt", "titles\n0 650 320 240\n");
     CHECK_THAT(message(), ContainsSubstring("camera_calibration.txt") && ContainsSubstring("focal"));
+    folder.put("camera_calibration.txt", "fx fy cx cy k1\n650 650 320 240\n");
+    CHECK_THAT(message(), ContainsSubstring("camera_calibration.txt") && ContainsSubstring("titles"));
+    folder.put("camera_calibration.txt", "fx fy cx cy k1\n650 650 320 240 0.1\n");
+    CHECK_THAT(message(), ContainsSubstring("camera_calibration.txt") && ContainsSubstring("distortion"));
     folder.remove("camera_calibration.txt");
     CHECK_THAT(message(), ContainsSubstring("camera_calibration.txt") && ContainsSubstring("missing"));
   }

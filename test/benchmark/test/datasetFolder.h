@@ -32,11 +32,17 @@ public:
 
   void remove(const std::string &name) const { std::filesystem::remove_all(path(name)); }
 
+  //! \return What is in a file.
+  std::string text(const std::string &name) const
+  {
+    std::ifstream file(path(name), std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  }
+
   //! Replaces a bit of a file's text.
   void replace(const std::string &name, const std::string &from, const std::string &to) const
   {
-    std::ifstream file(path(name), std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    std::string text = this->text(name);
     const std::size_t at = text.find(from);
     if (at == std::string::npos) {
       throw std::runtime_error("'" + from + "' is not in " + name);

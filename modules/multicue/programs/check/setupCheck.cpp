@@ -5,6 +5,9 @@
 #include "check/checkedModel.h"
 #include "check/checkedStart.h"
 #include "drawing/modelDrawing.h"
+#include "frames/imageFile.h"
+
+#include <visp3/core/vpImageConvert.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -44,14 +47,11 @@ bool load(const Setup &setup, vpMbMultiCueTracker &tracker, CheckReport &report)
 
 vpImage<vpRGBa> readImage(const std::string &file, CheckReport &report)
 {
-  const cv::Mat image = cv::imread(file, cv::IMREAD_COLOR);
-  vpImage<vpRGBa> I(static_cast<unsigned int>(image.rows), static_cast<unsigned int>(image.cols));
-  if (image.empty()) {
-    report.blame("image", file + " is missing, or no image");
-    return I;
-  }
-  cv::Mat color(image.size(), CV_8UC4, I.bitmap);
-  cv::cvtColor(image, color, cv::COLOR_BGR2RGBA);
+  vpImage<vpRGBa> I;
+  tryStep("image", report, [&] {
+    ImageDepth depth;
+    vpImageConvert::convert(readColorImage(file, depth), I);
+  });
   return I;
 }
 

@@ -2,10 +2,10 @@
 #include "frames/frameReader.h"
 
 #include "frames/filePattern.h"
+#include "frames/imageFile.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpImageConvert.h>
-#include <visp3/io/vpImageIo.h>
 
 #include <opencv2/videoio.hpp>
 
@@ -22,14 +22,11 @@ namespace {
 class ImageFiles : public FrameReader
 {
 public:
-  explicit ImageFiles(const FrameSource &source) : m_files(FilePattern(source.images).existing()), m_step(source.step)
+  explicit ImageFiles(const FrameSource &source)
+      : m_files(FilePattern(source.images).frames(source.first, source.last, source.step))
   {
-    m_files.erase(m_files.begin(), m_files.lower_bound(source.first));
-    if (source.last >= 0) {
-      m_files.erase(m_files.upper_bound(source.last), m_files.end());
-    }
     if (m_files.empty()) {
-      fail("--images " + source.images + ": there is no such file between --first and --last");
+      fail("--images " + source.images + ": --last is before --first");
     }
     m_next = m_files.begin();
   }
@@ -39,11 +36,9 @@ public:
     if (m_next == m_files.end()) {
       return false;
     }
-    vpImageIo::read(I, m_next->second);
+    vpImageConvert::convert(readColorImage(m_next->second, m_depth), I);
     m_number = m_next->first;
-    for (int i = 0; i < m_step && m_next != m_files.end(); i++) {
-      ++m_next;
-    }
+    ++m_next;
     return true;
   }
 
@@ -52,7 +47,7 @@ public:
 private:
   std::map<int, std::string> m_files;
   std::map<int, std::string>::const_iterator m_next;
-  int m_step;
+  ImageDepth m_depth;
 };
 
 // A video file or a camera. Frames are skipped one by one, since seeking is not exact in most formats.

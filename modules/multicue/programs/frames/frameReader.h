@@ -22,7 +22,7 @@ struct FrameSource
   int camera = -1;    //!< Index of a camera, >= 0.
   int first = -1;     //!< Number of the first frame, -1 for the first that there is.
   int last = -1;      //!< Number of the last frame, -1 for the last that there is.
-  int step = 1;       //!< 2 takes every second frame, > 0.
+  int step = 1;       //!< From one frame to the next: 2 takes every second one, > 0.
 };
 
 //! Frames of a video, of image files or of a camera, one after the other.

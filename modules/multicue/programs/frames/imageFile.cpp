@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "dataset/imageFile.h"
-
-#include "dataset/datasetFiles.h"
+#include "frames/imageFile.h"
 
 #include <visp3/core/vpException.h>
 
@@ -11,8 +9,13 @@
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
-namespace bench {
+namespace programs {
 namespace {
+[[noreturn]] void fail(const std::string &text)
+{
+  throw vpException(vpException::ioError, text);
+}
+
 double largestValue(const cv::Mat &image)
 {
   double largest = 0.;
@@ -70,4 +73,4 @@ cv::Mat readColorImage(const std::string &file)
   }
 }
 
-} // namespace bench
+} // namespace programs

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef benchImageFile_h
-#define benchImageFile_h
+#ifndef programsImageFile_h
+#define programsImageFile_h
 
 #include <opencv2/core.hpp>
 
 #include <string>
 
-namespace bench {
+namespace programs {
 
 //! How many bits of 16 the images of a sequence use: the brightness of all of them is to be the same.
 struct ImageDepth
@@ -25,5 +25,5 @@ cv::Mat readColorImage(const std::string &file, ImageDepth &depth);
 //! An image on its own. \return Empty where it cannot be read.
 cv::Mat readColorImage(const std::string &file);
 
-} // namespace bench
+} // namespace programs
 #endif
