@@ -4,10 +4,12 @@
   Times each stage of tracking by itself, for models of different size and images of different size, and whole frames
   beside ViSP's vpMbGenericTracker(EDGE_TRACKER). Draws its images itself; needs no file and no display.
 
-  Names are stage/model/size of the image: --benchmark_filter=match/lump-30k runs three of them.
+  Names are stage/model/size of the image: --benchmark_filter=match/lump-30k runs three of them. Those of what is done
+  once for a model have no size: load/obj-1000k, diameter/200k.
 */
 #include "stages/benchFailure.h"
 #include "stages/cueStages.h"
+#include "stages/loadStages.h"
 #include "stages/modelStages.h"
 #include "stages/searchStages.h"
 #include "stages/trackerStages.h"
@@ -74,6 +76,19 @@ void add(const Stage &stage, std::size_t shape, std::size_t size)
     entry->UseManualTime();
   }
 }
+
+void addLoading()
+{
+  for (const bench::LoadedFile &file : bench::loadedFiles()) {
+    const auto load = [&file](benchmark::State &state) { bench::loadFile(state, file); };
+    benchmark::RegisterBenchmark(("load/" + file.name()).c_str(), load)->Unit(benchmark::kMillisecond);
+  }
+  for (const int triangles : {60000, 400000}) { // Half as many vertices.
+    const auto measure = [triangles](benchmark::State &state) { bench::measureDiameter(state, triangles); };
+    const std::string name = "diameter/" + std::to_string(triangles / 2000) + "k";
+    benchmark::RegisterBenchmark(name.c_str(), measure)->Unit(benchmark::kMillisecond);
+  }
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -90,6 +105,7 @@ int main(int argc, char **argv)
       }
     }
   }
+  addLoading();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return bench::anyFailed() ? 1 : 0;

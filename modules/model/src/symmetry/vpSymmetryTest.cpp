@@ -36,6 +36,30 @@ template <typename Value> void shuffle(std::vector<Value> &values)
   }
   values = std::move(spread);
 }
+
+std::vector<vpSegment> segmentsOf(const vpTrackedModel &model)
+{
+  std::vector<vpSegment> segments;
+  const auto add = [&segments](const Eigen::Vector3d &start, const Eigen::Vector3d &end) {
+    segments.push_back({start, end, (end - start).normalized()});
+  };
+  for (const vpModelEdge &edge : model.edges()) {
+    add(model.vertices()[static_cast<std::size_t>(edge.vertex[0])],
+        model.vertices()[static_cast<std::size_t>(edge.vertex[1])]);
+  }
+  for (const vpModelCircle &circle : model.circles()) {
+    const Eigen::Vector3d u = circle.radius * circle.normal.unitOrthogonal();
+    const Eigen::Vector3d v = circle.normal.cross(u);
+    const auto at = [&](int i) {
+      const double angle = 2. * M_PI * i / circleSegments;
+      return Eigen::Vector3d(circle.centre + std::cos(angle) * u + std::sin(angle) * v);
+    };
+    for (int i = 0; i < circleSegments; ++i) {
+      add(at(i), at(i + 1));
+    }
+  }
+  return segments;
+}
 } // namespace
 
 vpSymmetryTest::vpSymmetryTest(const vpTrackedModel &model, const vpSymmetryOptions &options)
@@ -45,8 +69,9 @@ vpSymmetryTest::vpSymmetryTest(const vpTrackedModel &model, const vpSymmetryOpti
   addSurface();
   addVertices();
   shuffle(m_places);
-  addSegments();
-  addEdgePlaces();
+  const std::vector<vpSegment> segments = segmentsOf(model);
+  m_edges = vpSegmentTree(segments, m_reach);
+  addEdgePlaces(segments);
   shuffle(m_edgePlaces);
 }
 
@@ -89,36 +114,14 @@ void vpSymmetryTest::addVertices()
   }
 }
 
-void vpSymmetryTest::addSegments()
-{
-  const auto add = [this](const Eigen::Vector3d &start, const Eigen::Vector3d &end) {
-    m_segments.push_back({start, end, (end - start).normalized()});
-  };
-  for (const vpModelEdge &edge : m_model.edges()) {
-    add(m_model.vertices()[static_cast<std::size_t>(edge.vertex[0])],
-        m_model.vertices()[static_cast<std::size_t>(edge.vertex[1])]);
-  }
-  for (const vpModelCircle &circle : m_model.circles()) {
-    const Eigen::Vector3d u = circle.radius * circle.normal.unitOrthogonal();
-    const Eigen::Vector3d v = circle.normal.cross(u);
-    const auto at = [&](int i) {
-      const double angle = 2. * M_PI * i / circleSegments;
-      return Eigen::Vector3d(circle.centre + std::cos(angle) * u + std::sin(angle) * v);
-    };
-    for (int i = 0; i < circleSegments; ++i) {
-      add(at(i), at(i + 1));
-    }
-  }
-}
-
-void vpSymmetryTest::addEdgePlaces()
+void vpSymmetryTest::addEdgePlaces(const std::vector<vpSegment> &segments)
 {
   double length = 0.;
-  for (const Segment &segment : m_segments) {
+  for (const vpSegment &segment : segments) {
     length += (segment.end - segment.start).norm();
   }
   const double step = std::max(edgeStep * m_reach, length / static_cast<double>(mostEdgePlaces));
-  for (const Segment &segment : m_segments) {
+  for (const vpSegment &segment : segments) {
     const double own = (segment.end - segment.start).norm();
     const int count = 1 + static_cast<int>(own / step);
     for (int i = 0; i < count; ++i) {
@@ -144,21 +147,10 @@ bool vpSymmetryTest::surfaceFits(const Eigen::Isometry3d &turn) const
   return static_cast<double>(wrong) <= wrongColors * static_cast<double>(colored);
 }
 
-bool vpSymmetryTest::isOnEdge(const EdgePlace &place) const
-{
-  return std::any_of(m_segments.begin(), m_segments.end(), [&](const Segment &segment) {
-    const Eigen::Vector3d from = place.position - segment.start;
-    const double length = (segment.end - segment.start).norm();
-    const double along = std::min(std::max(from.dot(segment.direction), 0.), length);
-    return (from - along * segment.direction).squaredNorm() <= m_reach * m_reach &&
-           std::fabs(place.direction.dot(segment.direction)) > sameDirection;
-  });
-}
-
 bool vpSymmetryTest::edgesFit(const Eigen::Isometry3d &turn) const
 {
   return std::all_of(m_edgePlaces.begin(), m_edgePlaces.end(), [&](const EdgePlace &place) {
-    return isOnEdge({turn * place.position, turn.linear() * place.direction});
+    return m_edges.hasNear(turn * place.position, turn.linear() * place.direction, sameDirection);
   });
 }
 

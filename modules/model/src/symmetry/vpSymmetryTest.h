@@ -2,6 +2,7 @@
 #ifndef vpSymmetryTest_h
 #define vpSymmetryTest_h
 
+#include "symmetry/vpSegmentTree.h"
 #include "symmetry/vpTriangleGrid.h"
 
 #include "render/vpSurfaceShader.h"
@@ -30,10 +31,6 @@ private:
     Eigen::Vector3d color;
     bool hasColor = false;
   };
-  struct Segment
-  {
-    Eigen::Vector3d start, end, direction;
-  };
   struct EdgePlace
   {
     Eigen::Vector3d position, direction;
@@ -41,11 +38,9 @@ private:
 
   void addSurface();
   void addVertices();
-  void addSegments();
-  void addEdgePlaces();
+  void addEdgePlaces(const std::vector<vpSegment> &segments);
   bool surfaceFits(const Eigen::Isometry3d &turn) const;
   bool edgesFit(const Eigen::Isometry3d &turn) const;
-  bool isOnEdge(const EdgePlace &place) const;
   Eigen::Vector3d colorAt(const vpSurfacePlace &place) const;
 
   const vpTrackedModel &m_model;
@@ -54,7 +49,7 @@ private:
   vpTriangleGrid m_grid;
   vpSurfaceShader m_shader;
   std::vector<Place> m_places;
-  std::vector<Segment> m_segments;
+  vpSegmentTree m_edges;
   std::vector<EdgePlace> m_edgePlaces;
 };
 

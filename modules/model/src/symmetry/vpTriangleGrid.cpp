@@ -11,6 +11,15 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 const double cellsAlong = 24.;
+// Of many triangles a cell is to hold few: the surface goes through cells as the square of their number along.
+const double trianglesPerCell = 2.;
+
+double cellSize(const vpTrackedModel &model, double reach)
+{
+  const double along =
+      std::max(cellsAlong, std::sqrt(static_cast<double>(model.triangles().size()) / trianglesPerCell));
+  return std::max((model.boxMax() - model.boxMin()).maxCoeff() / along, 2. * reach);
+}
 // Normals of the same bit of surface differ by less: a round side may be made of few triangles.
 const double sameNormal = 0.85;
 
@@ -57,7 +66,7 @@ Eigen::Vector3d nearestWeights(const Eigen::Vector3d &point, const Eigen::Matrix
 vpTriangleGrid::vpTriangleGrid(const vpTrackedModel &model, double reach) : m_model(model), m_reach(reach)
 {
   const Eigen::Vector3d extent = model.boxMax() - model.boxMin();
-  m_size = std::max(extent.maxCoeff() / cellsAlong, 2. * reach);
+  m_size = cellSize(model, reach);
   m_origin = model.boxMin().array() - reach;
   m_cells = ((extent.array() + 2. * reach) / m_size).floor().cast<int>() + 1;
   for (const vpModelTriangle &triangle : model.triangles()) {

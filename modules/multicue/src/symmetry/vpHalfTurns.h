@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 BEGIN_VISP_NAMESPACE
@@ -23,6 +24,8 @@ public:
   {
     Eigen::Matrix3Xd places;
     Eigen::Matrix3Xd normals;
+    // The columns, by how far their places are along a direction, and how far that is.
+    std::vector<std::pair<double, Eigen::Index>> along;
   };
 
   // samples: of the model's surface. The turns are those about the axes of its frame, of which files make use, and
