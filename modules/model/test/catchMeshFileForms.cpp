@@ -7,6 +7,9 @@
 
 #include <visp3/model/vpModelReader.h>
 
+#include <chrono>
+#include <cmath>
+
 // Forms of .obj, .ply and .stl files that are valid, or that other readers put up with.
 
 namespace {
@@ -240,4 +243,45 @@ TEST_CASE("Faces of an .obj file may stand before their vertices, and lines with
   requireTetrahedron(weighted);
   REQUIRE(weighted.report().warnings.size() == 1);
   CHECK_THAT(weighted.report().warnings[0], ContainsSubstring("weight"));
+}
+
+TEST_CASE("Polygons that cross themselves, and a warning for each line, do not take the square of the time", "[files]")
+{
+  const meshFiles::TemporaryFolder folder;
+  const auto seconds = [](const auto &run) {
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  constexpr int polygons = 100, corners = 1000;
+  std::ostringstream crossing;
+  unsigned int state = 1;
+  const auto draw = [&state] { return 0.1 + 0.1 * (state = state * 1664525U + 1013904223U) / 4294967296.; };
+  for (int i = 0; i < polygons * corners; ++i) {
+    const double angle = 2. * M_PI * i / corners;
+    crossing << "v " << draw() * std::cos(angle) << " " << draw() * std::sin(angle) << " " << 0.001 * (i / corners)
+             << "\n";
+  }
+  for (int i = 0; i < polygons; ++i) {
+    crossing << "f";
+    for (int k = 1; k <= corners; ++k) {
+      crossing << " " << i * corners + k;
+    }
+    crossing << "\n";
+  }
+  // It takes a tenth of that, and took 7 s.
+  CHECK(seconds([&] { vpModelReader::read(folder.write("crossing.obj", crossing.str())); }) < 5.);
+
+  std::string lost = points;
+  for (int i = 0; i < 100000; ++i) {
+    lost += "usemtl m" + std::to_string(i) + "\n" + "f 1 3 2\n";
+  }
+  folder.write("skin.mtl", "newmtl other\n");
+  // A fiftieth of that, and it took half a minute.
+  CHECK(seconds([&] {
+          const vpTrackedModel model =
+              vpModelReader::read(folder.write("lost.obj", "mtllib skin.mtl\n" + lost + faces));
+          CHECK(model.report().warnings.size() == 101);
+          CHECK_THAT(model.report().warnings.back(), ContainsSubstring("more warnings"));
+        }) < 5.);
 }

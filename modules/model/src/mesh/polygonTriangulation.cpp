@@ -42,6 +42,8 @@ public:
       extent = std::max(extent, m_points[i].squaredNorm());
     }
     m_flat = 1e-12 * extent;
+    m_blocker.assign(m_points.size(), none);
+    m_isLeft.assign(m_points.size(), 1);
   }
 
   std::vector<std::array<int, 3>> run()
@@ -53,6 +55,9 @@ public:
       if (earArea(tip) > m_flat) {
         triangles.push_back(ear);
       }
+      m_isLeft[static_cast<std::size_t>(ear[1])] = 0;
+      m_blocker[static_cast<std::size_t>(ear[0])] = none;
+      m_blocker[static_cast<std::size_t>(ear[2])] = none;
       m_ring.erase(m_ring.begin() + static_cast<std::ptrdiff_t>(tip));
     }
     return triangles;
@@ -66,10 +71,11 @@ private:
 
   // Flat tips come after the ears, some of which need their corner. A polygon that crosses itself may have neither:
   // then the widest corner goes, so that the loop always ends.
-  std::size_t findTip() const
+  std::size_t findTip()
   {
     std::size_t flat = m_ring.size();
     std::size_t widest = 0;
+    double widestArea = earArea(0);
     for (std::size_t i = 0; i < m_ring.size(); ++i) {
       const double area = earArea(i);
       if (area > m_flat && isEmpty(i)) {
@@ -78,19 +84,31 @@ private:
       if (std::abs(area) <= m_flat) {
         flat = i;
       }
-      if (area > earArea(widest)) {
+      if (area > widestArea) {
         widest = i;
+        widestArea = area;
       }
     }
     return flat < m_ring.size() ? flat : widest;
   }
 
-  bool isEmpty(std::size_t tip) const
+  // What lies in an ear does so until it or one of the ear's ends is cut off: it is kept, so that the corners are
+  // looked at as often as the square of their number, and not the cube.
+  bool isEmpty(std::size_t tip)
+  {
+    int &blocker = m_blocker[static_cast<std::size_t>(m_ring[tip])];
+    if (blocker == none || m_isLeft[static_cast<std::size_t>(blocker)] == 0) {
+      blocker = findBlocker(tip);
+    }
+    return blocker == none;
+  }
+
+  int findBlocker(std::size_t tip) const
   {
     const Point &a = at(before(tip));
     const Point &b = at(m_ring[tip]);
     const Point &c = at(after(tip));
-    return std::none_of(m_ring.begin(), m_ring.end(), [&](int corner) {
+    const auto found = std::find_if(m_ring.begin(), m_ring.end(), [&](int corner) {
       const Point &p = at(corner);
       // A corner that lies on another one belongs to a bridge between an outline and its hole.
       if (p == a || p == b || p == c) {
@@ -98,11 +116,16 @@ private:
       }
       return area2(a, b, p) >= 0. && area2(b, c, p) >= 0. && area2(c, a, p) >= 0.;
     });
+    return found == m_ring.end() ? none : *found;
   }
+
+  static constexpr int none = -1;
 
   std::vector<Point> m_points;
   std::vector<int> m_ring;
-  double m_flat = 0.; //!< Twice the area below which three corners lie on a line.
+  std::vector<int> m_blocker; //!< A corner in the ear of each corner, where one is known.
+  std::vector<char> m_isLeft; //!< Whether each corner is in the ring.
+  double m_flat = 0.;         //!< Twice the area below which three corners lie on a line.
 };
 } // namespace
 

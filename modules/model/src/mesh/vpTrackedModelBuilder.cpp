@@ -13,6 +13,9 @@ BEGIN_VISP_NAMESPACE
 using namespace vpMeshDetail;
 
 namespace {
+// Nobody reads more, and a file may give rise to one for each of its lines.
+constexpr std::size_t mostWarnings = 100;
+
 void checkRange(const char *name, double value, double lowest, double highest, bool lowestIsAllowed)
 {
   if (!((lowestIsAllowed ? value >= lowest : value > lowest) && value <= highest)) {
@@ -116,8 +119,8 @@ int vpTrackedModelBuilder::addImage(const vpImage<vpRGBa> &image)
 
 void vpTrackedModelBuilder::addWarning(const std::string &text)
 {
-  if (std::find(m_warnings.begin(), m_warnings.end(), text) == m_warnings.end()) {
-    m_warnings.push_back(text);
+  if (m_warnings.size() <= mostWarnings && std::find(m_warnings.begin(), m_warnings.end(), text) == m_warnings.end()) {
+    m_warnings.push_back(m_warnings.size() < mostWarnings ? text : "there are more warnings, which are left out");
   }
 }
 END_VISP_NAMESPACE
