@@ -109,7 +109,7 @@ TEST_CASE("A .cao file that is cut off or of which a word is changed is read rig
   CHECK(folder.faults(right, cuts(whole)) == "");
   CHECK(folder.faults(right, tokenEdits(whole, 2)) == "");
   CHECK(folder.faults(right, encodings(whole)) == "");
-  CHECK(folder.faults(right, byteFlips(whole, 200)) == "");
+  CHECK(folder.faults(right, byteFlips(whole, 100)) == "");
 }
 
 TEST_CASE("Parts that a .cao file loads are placed, and may not lead back to it", "[files]")

@@ -111,7 +111,7 @@ TEST_CASE("A .wrl file that is cut off or of which a word is changed does no har
   for (Variant &variant : encodings(content)) {
     variants.push_back(std::move(variant));
   }
-  for (Variant &variant : byteFlips(content, 200)) {
+  for (Variant &variant : byteFlips(content, 100)) {
     variants.push_back(std::move(variant));
   }
   CHECK(faults(variants, "variant.wrl", right,

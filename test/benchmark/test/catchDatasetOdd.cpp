@@ -8,6 +8,7 @@
 #include "dataset/datasetFiles.h"
 #include "evaluate/imageStore.h"
 #include "frames/frameReader.h"
+#include "frames/videoFile.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -198,6 +199,29 @@ TEST_CASE("Images of more than eight bits keep their brightness, the same in a s
   CHECK(static_cast<int>(darker.at<cv::Vec3b>(2, 3)[0]) == 31);
   CHECK_THAT(messageOf([&] { programs::readColorImage(write("brighter.png", 5000), depth); }),
              ContainsSubstring("brighter.png") && ContainsSubstring("12 bits"));
+}
+
+TEST_CASE("A video of pictures of odd sizes keeps their last row and column", "[files]")
+{
+  const DatasetFolder folder;
+  cv::Mat picture(49, 63, CV_8UC3, cv::Scalar(0, 0, 0));
+  picture.row(48).setTo(cv::Scalar(255, 255, 255));
+  picture.col(62).setTo(cv::Scalar(255, 255, 255));
+  std::string file;
+  {
+    programs::VideoFile video("--save", folder.path("odd.avi"), 25.); // Whole when it is closed.
+    video.write(picture, 0);
+    video.write(picture, 1);
+    file = video.file();
+  }
+  programs::FrameSource source;
+  source.video = file;
+  vpImage<vpRGBa> I;
+  REQUIRE(programs::openFrames(source)->next(I));
+  REQUIRE((I.getWidth() == 64 && I.getHeight() == 50)); // Encoders take even sizes.
+  CHECK(I[48][30].G > 150);
+  CHECK(I[20][62].G > 150);
+  CHECK(I[20][30].G < 100);
 }
 
 TEST_CASE("A gap in the numbers of a recording is no end", "[files]")

@@ -4,6 +4,8 @@
 #include "config/settingsFile.h"
 #include "facade/vpTrackerImpl.h"
 
+#include <visp3/core/vpException.h>
+
 BEGIN_VISP_NAMESPACE
 
 vpMbMultiCueTracker::vpMbMultiCueTracker() : m_impl(std::make_unique<Impl>(*this))
@@ -70,10 +72,11 @@ void vpMbMultiCueTracker::Impl::load(const std::string &configFile, bool verbose
     try {
       m_tracker.loadModel(file.settings.modelFile, verbose);
       modelFile = file.settings.modelFile;
-    } catch (...) {
+    } catch (const std::exception &e) {
       apply(before);
       choice = choiceBefore;
-      throw;
+      throw vpException(vpException::badValue,
+                        "Configuration file '" + configFile + "': its model cannot be loaded, " + e.what());
     }
   } else if (saysModel) {
     file.report.leave("model.file", "a model was loaded before");
