@@ -217,7 +217,7 @@ TEST_CASE("Binary .stl files whose header does not tell the number of triangles"
   const meshFiles::TemporaryFolder folder;
   const modelShapes::Point o(0., 0., 0.), x(0.2, 0., 0.), y(0., 0.3, 0.), z(0., 0., 0.4);
   const std::string binary = meshFiles::binaryStl({{{o, y, x}}, {{o, x, z}}, {{x, y, z}}, {{y, o, z}}});
-  for (const std::string count : {std::string(4, '\0'), std::string(4, '\xFF')}) {
+  for (const std::string &count : {std::string(4, '\0'), std::string(4, '\xFF')}) {
     std::string streamed = binary;
     const vpTrackedModel model = vpModelReader::read(folder.write("streamed.stl", streamed.replace(80, 4, count)));
     requireTetrahedron(model);

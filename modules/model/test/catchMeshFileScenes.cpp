@@ -106,6 +106,16 @@ TEST_CASE("Nodes that contain themselves, are nested deeply, or multiply, are re
   CHECK_THAT(messageOfFile(folder.write("many.dae", daeStart + geometry() + many + daeEnd)),
              ContainsSubstring("many.dae"));
 
+  // A small file of many copies is refused before it fills the memory.
+  const fileVariants::MemoryLimit limit(std::size_t(1) << 30U);
+  const std::string ball = meshFiles::dae(modelShapes::sphereTriangles(0.1, 40, 40), "");
+  std::string copies;
+  for (int i = 0; i < 2000; ++i) {
+    copies += "<instance_geometry url=\"#g\"/>";
+  }
+  CHECK_THAT(messageOfFile(folder.write("copies.dae", replaced(ball, "<instance_geometry url=\"#g\"/>", copies))),
+             ContainsSubstring("copies.dae") && ContainsSubstring("more than 3000000"));
+
   CHECK_THAT(
       messageOfFile(folder.write("self.gltf", replaced(gltf(""), "{\"mesh\":0", "{\"children\":[0],\"mesh\":0"))),
       ContainsSubstring("self.gltf") && ContainsSubstring("itself"));

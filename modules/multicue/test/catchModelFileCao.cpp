@@ -132,6 +132,19 @@ TEST_CASE("Parts that a .cao file loads are placed, and may not lead back to it"
     const std::string one = "load(\"part" + std::to_string(i - 1) + ".cao\")\n";
     folder.write("part" + std::to_string(i) + ".cao", "V1\n" + one + one);
   }
+  std::string many = "V1\n";
+  for (int i = 0; i < 9000; ++i) {
+    many += "load(\"large.cao\")\n";
+  }
+  std::string large = points + "0\n0\n100\n";
+  for (int i = 0; i < 100; ++i) {
+    large += "3 0 2 1\n";
+  }
+  folder.write("large.cao", large + "0\n0\n");
+  {
+    const MemoryLimit limit(std::size_t(1) << 30U);
+    CHECK_THAT(folder.messageOf(many), ContainsSubstring("variant.cao") && ContainsSubstring("more than 150000"));
+  }
   folder.write("part0.cao", "V1\nload(\"part.cao\")\n");
   CHECK_THAT(folder.messageOf("V1\nload(\"part24.cao\")\n"), ContainsSubstring("variant.cao"));
 }

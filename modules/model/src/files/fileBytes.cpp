@@ -15,7 +15,8 @@
 BEGIN_VISP_NAMESPACE
 namespace vpMeshDetail {
 namespace {
-constexpr std::uintmax_t mostBytes = std::uintmax_t(2) << 30U;
+// Text of three million triangles has a fourth of that.
+constexpr std::uintmax_t mostBytes = std::uintmax_t(1) << 29U;
 const char *const blanks = " \t\v\f";
 
 template <typename Number> bool parseWhole(std::string_view word, Number &number)
@@ -43,7 +44,7 @@ std::string readBytes(const std::string &file)
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size > mostBytes) {
-    refuseFile(file, "is larger than 2 GB: reduce its triangles, a tracker needs thousands of them, not millions");
+    refuseFile(file, "is larger than 512 MB: reduce its triangles, a tracker needs thousands of them, not millions");
   }
   std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
   std::ifstream stream(file, std::ios::binary);

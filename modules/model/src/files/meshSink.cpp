@@ -89,8 +89,11 @@ void MeshSink::addTriangle(std::array<Corner, 3> corners, int image)
   if (image >= 0) {
     moveToFirstRepeat(corners);
   }
+  if (++m_triangles > mostTriangles) {
+    refuseFile(m_file, "has more than " + std::to_string(mostTriangles) +
+                           " triangles: reduce them, a tracker needs thousands of them, not millions");
+  }
   m_builder.addTriangle(corners, image);
-  ++m_triangles;
 }
 
 int MeshSink::addImage(const std::string &name, const vpImage<vpRGBa> &image)

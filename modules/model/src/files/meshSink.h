@@ -19,6 +19,9 @@ class MeshSink
 public:
   using Corner = vpTrackedModelBuilder::Corner;
 
+  //! Of a model: a million take 350 MB while they are loaded, and three million 1 GB.
+  static constexpr std::size_t mostTriangles = 3000000;
+
   /*!
     \param file Path, for messages; texture images are looked for beside it.
     \param unit Metres per unit of the file.
@@ -39,7 +42,7 @@ public:
     \throw vpException where there are too many corners.
   */
   void addPolygon(std::vector<Corner> corners, int image = -1);
-  //! \param corners In the builder's coordinates.
+  //! \param corners In the builder's coordinates. \throw vpException where there are too many triangles.
   void addTriangle(std::array<Corner, 3> corners, int image);
 
   //! An image inside the file. \return Its index, -1 where it is empty; it is then counted as missing.

@@ -2,7 +2,7 @@
 #ifndef sceneCheck_h
 #define sceneCheck_h
 
-#include <visp3/se3/vpCompatibility.h>
+#include "files/meshSink.h"
 
 #include <cstddef>
 #include <string>
@@ -33,7 +33,7 @@ SceneCheck checkGltf(const std::string &file);
 constexpr std::size_t mostNodes = 100000;
 constexpr std::size_t deepestNode = 200;
 //! Polygons of all instances.
-constexpr std::size_t mostPolygons = 20000000;
+constexpr std::size_t mostPolygons = MeshSink::mostTriangles;
 } // namespace vpMeshDetail
 END_VISP_NAMESPACE
 #endif

@@ -27,7 +27,8 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 constexpr int deepest = 200;
-constexpr long mostValues = 20000000;
+// Of a face four or more; it takes 6.3 KB with what vpMbTracker keeps of it, and all of them are to stay below 1 GB.
+constexpr long mostValues = 600000;
 
 [[noreturn]] void refuse(const std::string &reason)
 {
