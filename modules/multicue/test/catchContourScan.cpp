@@ -92,6 +92,47 @@ TEST_CASE("Another side, or another size, fits worse anywhere", "[contour-scan]"
   }
 }
 
+TEST_CASE("Several places are the best ones that are apart, best first", "[contour-scan]")
+{
+  Scanned scene(truth);
+  const vpContourScan::Find best = scene.scan.find(inTheMiddle());
+  std::vector<vpContourScan::Find> finds;
+  scene.scan.find(inTheMiddle(), 3, finds);
+  REQUIRE(finds.size() == 3);
+  CHECK(finds[0].share == exactly(best.share));
+  CHECK(finds[0].u == exactly(best.u));
+  CHECK(finds[0].v == exactly(best.v));
+  for (std::size_t i = 1; i < finds.size(); ++i) {
+    CHECK(finds[i].share <= finds[i - 1].share);
+    for (std::size_t k = 0; k < i; ++k) {
+      const float off = std::max(std::fabs(finds[i].u - finds[k].u), std::fabs(finds[i].v - finds[k].v));
+      CHECK(off > 0.4F * static_cast<float>(radiusIn(scene)));
+    }
+  }
+}
+
+TEST_CASE("Against clutter, edges of all orientations at one place are worth none", "[contour-scan]")
+{
+  Scanned scene(truth);
+  vpImage<vpRGBa> hatched(scene.height, scene.width);
+  for (unsigned int i = 0; i < hatched.getHeight(); ++i) {
+    for (unsigned int j = 0; j < hatched.getWidth(); ++j) { // Dots.
+      const unsigned char level = (i / 6 + j / 6) % 2 == 0 && i % 12 < 8 && j % 12 < 7 ? 220 : 40;
+      hatched[i][j] = vpRGBa(level, level, level);
+    }
+  }
+  vpOrientedDistanceMap dots;
+  vpFrameSource source;
+  dots.compute(source.frame(hatched, scene.camera, nullptr),
+               {0, 0, static_cast<int>(scene.width), static_cast<int>(scene.height)});
+  const auto shareOf = [&](const vpOrientedDistanceMap &edges, double clutter) {
+    scene.scan.setImage(edges, scene.camera, scene.width, scene.height, radiusIn(scene), 6., clutter);
+    return scene.scan.find(inTheMiddle()).share;
+  };
+  const double plainLead = shareOf(scene.edges, 0.) - shareOf(dots, 0.);
+  CHECK(shareOf(scene.edges, 1.) - shareOf(dots, 1.) > plainLead + 0.05);
+}
+
 TEST_CASE("What is behind the camera or too large to see is not found, without harm", "[contour-scan]")
 {
   Scanned scene(truth);

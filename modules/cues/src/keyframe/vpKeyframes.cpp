@@ -17,7 +17,6 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const std::size_t mostKeyframes = 16;
 const std::size_t mostOfOne = 150;
 // Of the features of a box around the object, many are beside it.
 const int mostAround = 400;
@@ -77,6 +76,7 @@ public:
   void addMatches(const Keyframe &keyframe, const vpPointCamera &camera, double mostMotion);
   std::vector<vpPointMatch> bestOfEach() const;
 
+  std::size_t mostKeyframes = 16;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double diameter = 1.;
   std::deque<Keyframe> keyframes; // The oldest first.
@@ -96,8 +96,9 @@ bool vpKeyframes::isAvailable()
   return true;
 }
 
-vpKeyframes::vpKeyframes() : m_impl(std::make_unique<Impl>())
+vpKeyframes::vpKeyframes(std::size_t most) : m_impl(std::make_unique<Impl>())
 {
+  m_impl->mostKeyframes = std::max<std::size_t>(most, 1);
 }
 
 vpKeyframes::~vpKeyframes() = default;

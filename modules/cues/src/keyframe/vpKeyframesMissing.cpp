@@ -13,7 +13,9 @@ bool vpKeyframes::isAvailable()
   return false;
 }
 
-vpKeyframes::vpKeyframes() = default;
+vpKeyframes::vpKeyframes(std::size_t)
+{
+}
 vpKeyframes::~vpKeyframes() = default;
 
 void vpKeyframes::setObject(const Eigen::Vector3d &, double)

@@ -42,6 +42,7 @@ void vpMultiCueEngine::setModel(vpTrackedModel &&model)
   symmetries.setModel(looks.model());
   m_score.setModel();
   rough.search.setModel(looks.pointer());
+  rough.imageSearch.setModel(looks.pointer());
   const std::vector<vpSurfaceSample> samples = vpSampleSurface(looks.model(), surfacePlaces);
   m_knowledge.setModel(looks.model(), samples);
   m_halfTurns.setModel(looks.model(), samples);
@@ -84,6 +85,14 @@ bool vpMultiCueEngine::startRoughly(const vpCueFrame &image, const std::vector<v
 {
   rough.candidates = candidates;
   rough.spread = vpRoughStart::spreadOf(deviation, looks.model().diameter());
+  return m_starter.search(frameOf(image), cMo);
+}
+
+bool vpMultiCueEngine::startAnywhere(const vpCueFrame &image, const vpImageSearch::Sizes &sizes,
+                                     vpHomogeneousMatrix &cMo)
+{
+  rough.anywhere = sizes;
+  rough.spread = vpRoughStart::spreadOf(vpPoseDeviation(), looks.model().diameter());
   return m_starter.search(frameOf(image), cMo);
 }
 

@@ -31,6 +31,9 @@ public:
   //! \param candidates Poses that are not exact. \param cMo Becomes the best one. \return True where it was accepted.
   bool startRoughly(const vpCueFrame &image, const std::vector<vpWeightedPose> &candidates,
                     const vpPoseDeviation &deviation, vpHomogeneousMatrix &cMo);
+  //! Looks for the object in all of the image. \param sizes How large it may be. \param cMo Becomes the best pose.
+  //! \return True where it was accepted.
+  bool startAnywhere(const vpCueFrame &image, const vpImageSearch::Sizes &sizes, vpHomogeneousMatrix &cMo);
   //! \param cMo Pose in the frame before, and in this one.
   void track(const vpCueFrame &image, vpHomogeneousMatrix &cMo);
   //! True where attempts from several starts are compared; with edges alone: after a loss.

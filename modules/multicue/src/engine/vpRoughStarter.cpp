@@ -89,6 +89,24 @@ vpRoughStarter::Refined vpRoughStarter::refine(const vpFrameContext &frame, cons
   return best;
 }
 
+// Those near the poses that were given, and those of all of the image where that was asked for.
+std::vector<vpPoseCandidate> vpRoughStarter::candidates(const vpFrameContext &frame,
+                                                        const std::vector<vpWeightedPose> &starts)
+{
+  const vpStartSearch &search = look(frame);
+  std::vector<vpPoseCandidate> found;
+  if (m_rough.anywhere) {
+    m_rough.imageSearch.setFrame(frame.image, m_score.sphere(), m_looks.preference(), search);
+    found = m_rough.imageSearch.find(*m_rough.anywhere, m_rough.tries);
+  }
+  if (!starts.empty()) {
+    const vpPoseSearch::Spread spread = m_rough.spread.grown(1. + spreadPerFrame * m_rough.tries);
+    const std::vector<vpPoseCandidate> near = search.find(starts, spread, m_rough.tries);
+    found.insert(found.end(), near.begin(), near.end());
+  }
+  return found;
+}
+
 bool vpRoughStarter::search(const vpFrameContext &frame, vpHomogeneousMatrix &cMo)
 {
   m_looks.setImage(frame.image);
@@ -102,10 +120,12 @@ bool vpRoughStarter::search(const vpFrameContext &frame, vpHomogeneousMatrix &cM
     starts.push_back({m_rough.hint, 1.});
     m_rough.hasHint = false;
   }
-  const vpPoseSearch::Spread spread = m_rough.spread.grown(1. + spreadPerFrame * m_rough.tries);
-  Refined best{vpRoughStart::heaviest(starts)};
-  for (const vpPoseCandidate &candidate : look(frame).find(starts, spread, m_rough.tries)) {
-    const Refined refined = refine(frame, candidate.cMo);
+  Refined best{starts.empty() ? cMo : vpRoughStart::heaviest(starts)};
+  for (const vpPoseCandidate &candidate : candidates(frame, starts)) {
+    Refined refined = refine(frame, candidate.cMo);
+    if (m_rough.anywhere) {
+      refined.value = m_rough.imageSearch.standing(refined.cMo);
+    }
     if (refined.value > best.value) {
       best = refined;
     }
@@ -137,12 +157,17 @@ bool vpRoughStarter::take(const vpFrameContext &frame, const vpHomogeneousMatrix
   }
   m_rough.refused = cMb;
   addEvidence(cMo, placesAtStart);
-  const std::string missing = evidence.text(firstShare);
+  std::string missing = evidence.text(firstShare);
+  if (missing.empty() && m_rough.anywhere) {
+    missing = m_rough.imageSearch.missing(cMo);
+  }
   const bool isAccepted = missing.empty();
   m_rough.phase = isAccepted ? vpRoughStart::UNCONFIRMED : vpRoughStart::REFUSED;
   if (isAccepted) {
     m_outcome.set(vpTrackingState::UNCERTAIN, Reason::CONFIRMING);
-    m_outcome.text = "a pose was found near to the one that was given, and has to explain more images";
+    m_outcome.text = std::string(m_rough.anywhere ? "the object was found in the image"
+                                                  : "a pose was found near to the one that was given") +
+                     ", and has to explain more images";
   } else {
     m_outcome.set(vpTrackingState::LOST, Reason::CONTRADICTED);
     m_outcome.text = "no pose was accepted: at the best one, " + missing;

@@ -37,6 +37,7 @@ private:
     vpHomogeneousMatrix cMo;
     double value = -HUGE_VAL;
   };
+  std::vector<vpPoseCandidate> candidates(const vpFrameContext &frame, const std::vector<vpWeightedPose> &starts);
   Refined refine(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo);
   vpEstimate estimate(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo);
   bool take(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo);

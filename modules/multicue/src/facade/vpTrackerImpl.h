@@ -66,6 +66,7 @@ public:
   template <typename Pixel>
   bool startRoughlyOn(const vpImage<Pixel> &I, const std::vector<vpWeightedPose> &candidates,
                       const vpPoseDeviation &deviation);
+  template <typename Pixel> bool startAnywhereOn(const vpImage<Pixel> &I, const vpDistanceRange &distances);
   template <typename Pixel> void trackOn(const vpImage<Pixel> &I);
   //@}
 

@@ -12,8 +12,10 @@ BEGIN_VISP_NAMESPACE
 namespace {
 const double cellsPerRadius = 12.;
 const double mostCells = 24.; // Of a radius, where the step is as large as it may be.
-const double leastStep = 4.;  // Pixels.
+const double reachShare = 1. / 12.;
+const double leastStep = 4.; // Pixels.
 const double mostStep = 16.;
+const double apart = 0.5;  // How far two places of one view are apart, radii.
 const double beyond = 0.5; // How far outside the image the middle may be, radii.
 const int fullMatch = 6;   // What a point on an edge counts: as much as bytes can hold of all points.
 const std::size_t mostPoints = 40;
@@ -24,8 +26,17 @@ const float farAway = 16384.F;    // Pixels: an image of which no point of a vie
 void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
                              unsigned int height, double radius)
 {
+  setImage(edges, cam, width, height, radius, cellsPerRadius, 0.);
+}
+
+void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
+                             unsigned int height, double radius, double cellsPerRadius, double clutter)
+{
   m_camera = vpPointCamera(cam, width, height);
+  m_clutter = clutter;
+  m_radius = radius;
   m_step = std::min(std::max(radius / cellsPerRadius, leastStep), mostStep);
+  m_reach = std::max(m_step, reachShare * radius);
   const double cells = std::min(radius / m_step, mostCells);
   m_margin = static_cast<int>(std::ceil(beyond * cells));
   m_border = static_cast<int>(std::ceil(cells)) + 1;
@@ -35,26 +46,45 @@ void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraP
   m_gridSize = static_cast<std::size_t>(m_stride) * static_cast<std::size_t>(m_rows + 2 * m_border);
   m_grids.assign(m_gridSize * vpOrientedDistanceMap::bins * phases * phases, 0);
   m_sums.resize(static_cast<std::size_t>(m_stride) * static_cast<std::size_t>(m_rows));
-  for (int bin = 0; bin < vpOrientedDistanceMap::bins; ++bin) {
-    for (int phase = 0; phase < phases * phases; ++phase) {
-      fill(edges, bin, phase / phases, phase % phases);
-    }
+  for (int phase = 0; phase < phases * phases; ++phase) {
+    fill(edges, phase / phases, phase % phases);
   }
 }
 
-void vpContourScan::fill(const vpOrientedDistanceMap &edges, int bin, int rowPhase, int columnPhase)
+void vpContourScan::fill(const vpOrientedDistanceMap &edges, int rowPhase, int columnPhase)
 {
-  std::uint8_t *grid = m_grids.data() + gridOf(bin, rowPhase, columnPhase);
-  const double reach = std::min(m_step, edges.settings().maxDistance);
+  const double reach = std::min(m_reach, edges.settings().maxDistance);
   const int before = m_border + m_margin; // Cells before the image.
   for (int i = -1; i < m_rows - 2 * m_margin; ++i) {
     const double v = (i + static_cast<double>(rowPhase) / phases) * m_step;
     for (int j = -1; j < m_columns - 2 * m_margin; ++j) {
       const double u = (j + static_cast<double>(columnPhase) / phases) * m_step;
-      const double match = std::max(1. - edges.distance(u, v, bin) / reach, 0.);
-      grid[(i + before) * m_stride + j + before] = static_cast<std::uint8_t>(fullMatch * match + 0.5);
+      const std::array<double, vpOrientedDistanceMap::bins> matches = matchesAt(edges, u, v, reach);
+      for (int bin = 0; bin < vpOrientedDistanceMap::bins; ++bin) {
+        m_grids[gridOf(bin, rowPhase, columnPhase) + static_cast<std::size_t>((i + before) * m_stride + j + before)] =
+            static_cast<std::uint8_t>(fullMatch * matches[static_cast<std::size_t>(bin)] + 0.5);
+      }
     }
   }
+}
+
+// Of edges of each orientation, less what those of all are worth.
+std::array<double, vpOrientedDistanceMap::bins> vpContourScan::matchesAt(const vpOrientedDistanceMap &edges, double u,
+                                                                         double v, double reach) const
+{
+  std::array<double, vpOrientedDistanceMap::bins> matches;
+  double all = 0.;
+  for (int bin = 0; bin < vpOrientedDistanceMap::bins; ++bin) {
+    double &match = matches[static_cast<std::size_t>(bin)];
+    match = std::max(1. - edges.distance(u, v, bin) / reach, 0.);
+    all += match / vpOrientedDistanceMap::bins;
+  }
+  if (m_clutter > 0.) {
+    for (double &match : matches) {
+      match = std::max((match + m_clutter * (1. - all)) / (1. + m_clutter), 0.);
+    }
+  }
+  return matches;
 }
 
 // To all places, what is where this point would be.
@@ -80,11 +110,8 @@ void vpContourScan::addPoint(const vpSeenPoint &point)
   }
 }
 
-vpContourScan::Find vpContourScan::largestSum(std::size_t points)
+vpContourScan::Find vpContourScan::largestSum(std::size_t points) const
 {
-  for (int i = 0; i < m_rows; ++i) { // Behind a row's last place, the sums mix both sides of the image.
-    std::fill_n(m_sums.begin() + i * m_stride + m_columns, m_stride - m_columns, std::uint8_t{0});
-  }
   std::uint8_t most = 0;
   for (const std::uint8_t sum : m_sums) {
     most = std::max(most, sum);
@@ -95,12 +122,26 @@ vpContourScan::Find vpContourScan::largestSum(std::size_t points)
           static_cast<double>(most) / static_cast<double>(fullMatch * points)};
 }
 
-vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
+// So that the next one is apart.
+void vpContourScan::blankAround(const Find &find)
+{
+  const auto cell = [this](float pixels) { return static_cast<int>(std::lround(pixels / m_step)) + m_margin; };
+  const int half = std::max(1, static_cast<int>(apart * m_radius / m_step));
+  const int column = cell(find.u);
+  const int left = std::max(column - half, 0);
+  const int right = std::min(column + half + 1, m_columns);
+  const int bottom = std::min(cell(find.v) + half + 1, m_rows);
+  for (int i = std::max(cell(find.v) - half, 0); i < bottom; ++i) {
+    std::fill(m_sums.begin() + i * m_stride + left, m_sums.begin() + i * m_stride + right, std::uint8_t{0});
+  }
+}
+
+std::size_t vpContourScan::addPoints(const Eigen::Isometry3d &cMo)
 {
   const Eigen::Vector3d middle = m_sphere->model().centre();
   const Eigen::Vector3d at = cMo * middle;
   if (!(at.z() > 0.)) {
-    return Find();
+    return 0;
   }
   const unsigned int level = std::min(m_sphere->options().level, mostLevel);
   const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -at, level));
@@ -117,7 +158,25 @@ vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
           addPoint(point);
         }
       });
+  for (int i = 0; i < m_rows; ++i) { // Behind a row's last place, the sums mix both sides of the image.
+    std::fill_n(m_sums.begin() + i * m_stride + m_columns, m_stride - m_columns, std::uint8_t{0});
+  }
+  return points;
+}
+
+vpContourScan::Find vpContourScan::find(const Eigen::Isometry3d &cMo)
+{
+  const std::size_t points = addPoints(cMo);
   return points == 0 ? Find() : largestSum(points);
+}
+
+void vpContourScan::find(const Eigen::Isometry3d &cMo, std::size_t most, std::vector<Find> &finds)
+{
+  const std::size_t points = addPoints(cMo);
+  for (std::size_t i = 0; i < most && points > 0; ++i) {
+    finds.push_back(largestSum(points));
+    blankAround(finds.back());
+  }
 }
 
 Eigen::Isometry3d vpContourScan::movedTo(const Find &find, const Eigen::Isometry3d &cMo) const

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,17 +34,27 @@ public:
   // Before find(). radius: how large the object is about to be in the image, pixels.
   void setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
                 unsigned int height, double radius);
+  // The same with coarser or finer grids. clutter: what an edge of any orientation counts against one that is as it
+  // should be; with 1, places full of edges fit no better than empty ones.
+  void setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
+                unsigned int height, double radius, double cellsPerRadius, double clutter);
   // Of the side that this pose shows, as near and as it is turned in the image.
   Find find(const Eigen::Isometry3d &cMo);
+  // Likewise the best places that are apart, best first: added to finds, at most as many.
+  void find(const Eigen::Isometry3d &cMo, std::size_t most, std::vector<Find> &finds);
   // A pose that shows the same side there.
   Eigen::Isometry3d movedTo(const Find &find, const Eigen::Isometry3d &cMo) const;
 
 private:
   static constexpr int phases = 2; // Grids for each step, in each direction.
 
-  void fill(const vpOrientedDistanceMap &edges, int bin, int rowPhase, int columnPhase);
+  void fill(const vpOrientedDistanceMap &edges, int rowPhase, int columnPhase);
+  std::array<double, vpOrientedDistanceMap::bins> matchesAt(const vpOrientedDistanceMap &edges, double u, double v,
+                                                            double reach) const;
   void addPoint(const vpSeenPoint &point);
-  Find largestSum(std::size_t points);
+  std::size_t addPoints(const Eigen::Isometry3d &cMo);
+  Find largestSum(std::size_t points) const;
+  void blankAround(const Find &find);
   std::size_t gridOf(int bin, int rowPhase, int columnPhase) const
   {
     return static_cast<std::size_t>((bin * phases + rowPhase) * phases + columnPhase) * m_gridSize;
@@ -51,7 +62,10 @@ private:
 
   vpViewSphere *m_sphere = nullptr;
   vpPointCamera m_camera;
-  double m_step = 8.;            // Of the grids, pixels.
+  double m_step = 8.;     // Of the grids, pixels.
+  double m_radius = 100.; // Pixels.
+  double m_clutter = 0.;
+  double m_reach = 8.;           // How near an edge has to be, pixels.
   int m_margin = 0;              // Cells around the image in which the middle may be.
   int m_border = 0;              // Further cells, for the points.
   int m_columns = 0, m_rows = 0; // Of places for the middle.

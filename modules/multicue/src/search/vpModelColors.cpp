@@ -238,9 +238,9 @@ vpModelColors::Shade vpModelColors::shadeAt(int u, int v) const
   return shadeOf(0.25F * static_cast<float>(red), 0.25F * static_cast<float>(green), 0.25F * static_cast<float>(blue));
 }
 
-double vpModelColors::agreement(const vpHomogeneousMatrix &cMo) const
+double vpModelColors::agreement(const Eigen::Isometry3d &cMo, std::size_t every) const
 {
-  const Eigen::Isometry3f pose = vpPoseExponential::toEigen(cMo).cast<float>();
+  const Eigen::Isometry3f pose = cMo.cast<float>();
   const Eigen::Vector3f eye = pose.linear().transpose() * -pose.translation(); // In the object's frame.
   const float px = static_cast<float>(m_camera.get_px());
   const float py = static_cast<float>(m_camera.get_py());
@@ -249,7 +249,8 @@ double vpModelColors::agreement(const vpHomogeneousMatrix &cMo) const
   const float right = static_cast<float>(m_gray->getWidth()) - 1.F;
   const float bottom = static_cast<float>(m_gray->getHeight()) - 1.F;
   Sums sums;
-  for (const Place &place : m_places) {
+  for (std::size_t i = 0; i < m_places.size(); i += every) {
+    const Place &place = m_places[i];
     const Eigen::Vector3f sight = eye - place.position;
     const float facing = sight.dot(place.normal);
     const float least = leastFacing * sight.norm();
@@ -270,7 +271,7 @@ double vpModelColors::agreement(const vpHomogeneousMatrix &cMo) const
       sums.add(model, shadeAt(static_cast<int>(u), static_cast<int>(v)), place.group);
     }
   }
-  if (sums.count < static_cast<float>(fewestPlaces)) {
+  if (sums.count < static_cast<float>(fewestPlaces) / static_cast<float>(every)) {
     return 0.;
   }
   sums.centre();

@@ -34,7 +34,9 @@ public:
   // How much it tells, [0, 1]: 0 for a model without colours, or of one colour.
   double trust() const { return m_trusts[m_color != nullptr ? 1 : 0]; }
   // [-1, 1], about 0 by chance.
-  double agreement(const vpHomogeneousMatrix &cMo) const;
+  double agreement(const vpHomogeneousMatrix &cMo) const { return agreement(vpPoseExponential::toEigen(cMo), 1); }
+  // The same by one place in so many, for a first look.
+  double agreement(const Eigen::Isometry3d &cMo, std::size_t every) const;
 
 private:
   using Shade = std::array<float, 3>;

@@ -35,6 +35,8 @@ public:
   std::vector<Value> clutter(const vpHomogeneousMatrix &cMo, const vpPoseSearch::Spread &spread, std::uint64_t seed,
                              std::size_t places) const;
   Value operator()(const vpHomogeneousMatrix &cMo) const;
+  // Correlation with the model's colours by one place in so many.
+  double colorsAt(const Eigen::Isometry3d &cMo, std::size_t every) const { return m_colors.agreement(cMo, every); }
   double trust() const { return m_usesColors ? m_colors.trust() : 0.; }
 
 private:

@@ -2,11 +2,13 @@
 #ifndef vpRoughStart_h
 #define vpRoughStart_h
 
+#include "search/vpImageSearch.h"
 #include "search/vpStartEvidence.h"
 
 #include <visp3/multicue/vpWeightedPose.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ struct vpRoughStart
   {
     phase = NONE;
     candidates.clear();
+    anywhere.reset();
     evidence.clear();
     tries = 0;
     depths.clear();
@@ -49,10 +52,12 @@ struct vpRoughStart
 
   Phase phase = NONE;
   std::vector<vpWeightedPose> candidates;
-  vpPoseSearch::Spread spread; // About them.
-  unsigned int tries = 0;      // Images in which the object was looked for about them.
-  vpHomogeneousMatrix refused; // Of the image before, cMb with b at the object's middle.
+  std::optional<vpImageSearch::Sizes> anywhere; // Without candidates: in all of the image.
+  vpPoseSearch::Spread spread;                  // About them.
+  unsigned int tries = 0;                       // Images in which the object was looked for about them.
+  vpHomogeneousMatrix refused;                  // Of the image before, cMb with b at the object's middle.
   vpStartSearch search;
+  vpImageSearch imageSearch;
   vpStartEvidence evidence;
 
   vpPoseDetector detector;

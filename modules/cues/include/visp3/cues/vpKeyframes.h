@@ -34,9 +34,9 @@ struct vpKeyframePose
   jump, a turn in the image plane, or a loss.
 
   A keyframe holds up to 150 corners of the surface with their place on the object and their ORB descriptor (Rublee
-  et al., ICCV 2011); there are up to 16, of views that differ by some degrees. In an image, corners are matched by
-  their descriptors, and poses are drawn from three matches at a time (P3P); those that most matches agree on are
-  refined and returned. A flat part of a surface often allows two poses: both are returned.
+  et al., ICCV 2011); there are up to 16 by default, of views that differ by some degrees. In an image, corners are
+  matched by their descriptors, and poses are drawn from three matches at a time (P3P); those that most matches agree on
+  are refined and returned. A flat part of a surface often allows two poses: both are returned.
 
   Nothing is kept of a surface without corners, and nothing is found on it. Same calls, same result. See \ref
   cues_memory.
@@ -55,7 +55,8 @@ public:
   //! False where the library was built without OpenCV's features2d and calib3d modules: nothing is then learnt.
   static bool isAvailable();
 
-  vpKeyframes();
+  //! \param most Views that are kept, at least 1: the oldest one goes where there are more.
+  explicit vpKeyframes(std::size_t most = 16);
   ~vpKeyframes();
 
   //! Forgets all views. \param centre Middle of the object, object frame, metres. \param diameter Its size, metres, >

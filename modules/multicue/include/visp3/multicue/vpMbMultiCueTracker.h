@@ -5,6 +5,7 @@
 #include <visp3/cues/vpColorCueSettings.h>
 #include <visp3/model/vpModelSymmetries.h>
 #include <visp3/model/vpTrackedModelBuilder.h>
+#include <visp3/multicue/vpDistanceRange.h>
 #include <visp3/multicue/vpMbOneCamera.h>
 #include <visp3/multicue/vpMbTrackingResult.h>
 #include <visp3/multicue/vpMultiCuePreset.h>
@@ -175,6 +176,21 @@ public:
                           const vpPoseDeviation &deviation = vpPoseDeviation());
   bool initFromRoughPoses(const vpImage<vpRGBa> &I_color, const std::vector<vpWeightedPose> &candidates,
                           const vpPoseDeviation &deviation = vpPoseDeviation());
+  /*!
+    Looks for the object everywhere in this image, with no pose given, and follows it from where it is found: by its
+    contours, and by the colours and the texture that the model's file has. Whatever the image shows, the same image
+    gives the same pose.
+
+    Accepted or refused as initFromRoughPose() does, and likewise confirmed by the images after it. After a refusal the
+    state is LOST, getTrackingResult() tells what is missing, and another image may be tried by calling again; where
+    setSearch() is on, track() looks at all of each image again, and takes as long as this call.
+    \param I Image. \param distances How far away the object may be, metres; the narrower, the faster and the surer.
+    \return True where a pose was accepted; getPose() is it.
+    \throw vpException where there is no model, the image is empty, the camera is singular, or the distances are
+    negative, not finite or none; the tracker then stays as it was.
+  */
+  bool initFromImage(const vpImage<unsigned char> &I, const vpDistanceRange &distances = vpDistanceRange());
+  bool initFromImage(const vpImage<vpRGBa> &I_color, const vpDistanceRange &distances = vpDistanceRange());
   /*!
     Asks a program of yours where the object may be: once in each track() before which it was lost, or found again and
     not yet confirmed, where setSearch() is on. Its poses are looked at beside those that the search finds by itself.
