@@ -16,11 +16,26 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
+
+std::string toText(const std::vector<std::string> &names)
+{
+  std::string text;
+  for (const std::string &name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
 } // namespace
 
 void BenchTracker::startRoughly(const BenchImage &I, const vpHomogeneousMatrix &cMo, double, double)
 {
   init(I, cMo);
+}
+
+bool BenchTracker::startAnywhere(const BenchImage &, double, double)
+{
+  throw vpException(vpException::badValue, "This tracker needs a pose to start at: take one of %s",
+                    toText(multiCuePresets()).c_str());
 }
 
 std::vector<std::string> trackerNames()
@@ -33,11 +48,7 @@ std::vector<std::string> trackerNames()
 
 std::string trackerNamesText()
 {
-  std::string text;
-  for (const std::string &name : trackerNames()) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
+  return toText(trackerNames());
 }
 
 void requireTrackers(const std::vector<std::string> &names)

@@ -46,9 +46,17 @@ public:
   */
   virtual void startRoughly(const BenchImage &I, const vpHomogeneousMatrix &cMo, double angleDeviation,
                             double translationDeviation);
+  /*!
+    Starts without a pose.
+    \param nearest, farthest Range of the object's distance, metres; 0: the tracker's default.
+    \return True where a pose was accepted. \throw vpException where the tracker cannot do so.
+  */
+  virtual bool startAnywhere(const BenchImage &I, double nearest, double farthest);
   //! The only call whose time is measured.
   virtual void track(const BenchImage &I) = 0;
   virtual TrackerAnswer answer() = 0;
+  //! Why the state is what it is, as a sentence; may be empty.
+  virtual std::string text() const { return ""; }
   //! Names of the stages that are timed one by one; may be empty.
   virtual std::vector<std::string> stages() const { return {}; }
 };

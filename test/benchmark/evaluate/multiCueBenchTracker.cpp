@@ -137,6 +137,13 @@ public:
     deviation.rotation = angleDeviation;
     m_tracker.initFromRoughPose(I.color, cMo, deviation);
   }
+  bool startAnywhere(const BenchImage &I, double nearest, double farthest) override
+  {
+    vpDistanceRange distances;
+    distances.nearest = nearest;
+    distances.farthest = farthest;
+    return I.isGray ? m_tracker.initFromImage(I.gray, distances) : m_tracker.initFromImage(I.color, distances);
+  }
   void track(const BenchImage &I) override
   {
     if (I.isGray) {
@@ -158,6 +165,7 @@ public:
     return answer;
   }
 
+  std::string text() const override { return m_tracker.getTrackingResult().text; }
   std::vector<std::string> stages() const override { return {"frame", "view", "match", "pose", "map", "particles"}; }
 
 private:

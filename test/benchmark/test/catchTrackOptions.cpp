@@ -41,7 +41,7 @@ TEST_CASE("Options that are missing, twofold or wrong are named")
   CHECK_THROWS_WITH(read({"--init-pose", "a.pos"}), ContainsSubstring("--images, --video and --camera"));
   CHECK_THROWS_WITH(read({"--video", "a.mp4", "--camera", "0", "--init-pose", "a.pos"}),
                     ContainsSubstring("--images, --video and --camera"));
-  CHECK_THROWS_WITH(read({"--video", "a.mp4"}), ContainsSubstring("--init-rough and --init-tag"));
+  CHECK_THROWS_WITH(read({"--video", "a.mp4"}), ContainsSubstring("--init-rough, --init-anywhere and --init-tag"));
   CHECK_THROWS_WITH(read({"--video", "a.mp4", "--init-tag", "3"}), ContainsSubstring("--tag-size"));
   CHECK_THROWS_WITH(read({"--video", "a.mp4", "--init-pose", "a.pos", "--unit", "mile"}), ContainsSubstring("mile"));
   CHECK_THROWS_WITH(read({"--video", "a.mp4", "--init-pose", "a.pos", "--first", "9", "--last", "3"}),
