@@ -32,6 +32,16 @@ bool Starter::about(const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo, co
   return true;
 }
 
+bool Starter::anywhere(const vpImage<vpRGBa> &I)
+{
+  vpDistanceRange distances;
+  distances.nearest = m_options.start.nearest;
+  distances.farthest = m_options.start.farthest;
+  bool isFound = false;
+  inGrayOrColor(I, m_options.gray, [&](const auto &image) { isFound = m_tracker.initFromImage(image, distances); });
+  return isFound;
+}
+
 bool Starter::byTag(const vpImage<vpRGBa> &I)
 {
   vpCameraParameters cam;
@@ -48,7 +58,7 @@ bool Starter::byClicks(const vpImage<vpRGBa> &I, TrackWindow *window, const Trac
 {
   if (window == nullptr) {
     throw vpException(vpException::badValue,
-                      "--init-click needs a window: use --init-pose, --init-points or --init-rough");
+                      "--init-click needs a window: use --init-pose, --init-points, --init-rough or --init-anywhere");
   }
   std::vector<vpImagePoint> clicked;
   for (const vpPoint &point : m_clickPoints) {
@@ -75,6 +85,9 @@ bool Starter::start(const vpImage<vpRGBa> &I, TrackWindow *window, const TrackVi
   if (m_tag) {
     return byTag(I);
   }
+  if (start.anywhere) {
+    return anywhere(I);
+  }
   if (!start.rough.empty()) {
     vpPoseDeviation deviation;
     deviation.rotation = vpMath::rad(start.roughAngle);
@@ -94,7 +107,7 @@ bool Starter::start(const vpImage<vpRGBa> &I, TrackWindow *window, const TrackVi
 
 bool Starter::startAgain(const vpImage<vpRGBa> &I, TrackWindow *window, const TrackView &view)
 {
-  if (!m_options.start.click.empty() || m_tag) {
+  if (!m_options.start.click.empty() || m_options.start.anywhere || m_tag) {
     return start(I, window, view);
   }
   return about(I, m_tracker.getPose(), vpPoseDeviation());

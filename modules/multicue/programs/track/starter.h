@@ -25,15 +25,17 @@ public:
 
   /*!
     \param window Null for none.
-    \return False where this image does not tell: it shows no tag, or the user gave up clicking. The next one may.
+    \return False where this image does not tell: it shows no tag, the object is not found, or the
+    user gave up clicking. The next one may.
     \throw vpException as the tracker's init functions, and where clicks are needed without a window.
   */
   bool start(const vpImage<vpRGBa> &I, TrackWindow *window, const TrackView &view);
-  //! When the user asks for it: by clicks or the tag, else about the last pose.
+  //! When the user asks for it: by clicks, the tag or in all of the image, else about the last pose.
   bool startAgain(const vpImage<vpRGBa> &I, TrackWindow *window, const TrackView &view);
 
 private:
   bool byClicks(const vpImage<vpRGBa> &I, TrackWindow *window, const TrackView &view);
+  bool anywhere(const vpImage<vpRGBa> &I);
   bool byTag(const vpImage<vpRGBa> &I);
   bool about(const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo, const vpPoseDeviation &deviation);
 

@@ -53,6 +53,12 @@ void addStart(CommandLine &line, StartOptions &start)
   line.add("--init-rough", "likewise a pose that may be off: the object is looked for about it", start.rough);
   line.add("--rough-angle", "how far off its turn is, degrees; default 15", start.roughAngle);
   line.add("--rough-offset", "how far off its place is, metres; default a tenth of the model", start.roughOffset);
+  line.add("--init-anywhere", "no pose: the object is looked for in all of the image, until one shows it",
+           start.anywhere);
+  line.add("--nearest", "with it: least distance of the object, metres; default where it fills the image",
+           start.nearest);
+  line.add("--farthest", "with it: largest distance of the object, metres; default where 1 / 20 of the image's height",
+           start.farthest);
   line.add("--init-tag", "number of an AprilTag 36h11 on the object; finds it again, too", start.tag, 0);
   line.add("--tag-size", "side of the tag's black square, metres", start.tagSize);
   line.add("--tag-pose", "file with the tag's pose in the object's frame; default the same frame", start.tagPose);
@@ -97,9 +103,9 @@ void TrackOptions::check() const
     }
   };
   requireOne("--images, --video and --camera", !source.images.empty() + !source.video.empty() + (source.camera >= 0));
-  requireOne("--init-click, --init-points, --init-pose, --init-rough and --init-tag",
+  requireOne("--init-click, --init-points, --init-pose, --init-rough, --init-anywhere and --init-tag",
              !start.click.empty() + !start.points.empty() + !start.pose.empty() + !start.rough.empty() +
-                 (start.tag >= 0));
+                 start.anywhere + (start.tag >= 0));
   if (model.empty()) {
     fail("--model is missing");
   }

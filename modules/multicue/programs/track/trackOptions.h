@@ -18,6 +18,9 @@ struct StartOptions
   std::string rough;      //!< File of a pose that is not exact.
   double roughAngle = 15; //!< How far off that one is, degrees.
   double roughOffset = 0; //!< Likewise, metres; 0: a tenth of the model's diameter.
+  bool anywhere = false;  //!< Look for the object in all of the image.
+  double nearest = 0.;    //!< Least distance at which it may be then, metres; 0: the tracker's default.
+  double farthest = 0.;   //!< Likewise the largest one.
   int tag = -1;           //!< Number of an AprilTag (36h11) that is fixed to the object.
   double tagSize = 0.;    //!< Side of its black square, metres.
   std::string tagPose;    //!< File of its pose in the object's frame; empty: it is that frame.
