@@ -149,7 +149,7 @@ TEST_CASE("A tracker with a saved configuration tracks to the last bit as the on
     vpMbMultiCueTracker tracker, again(1, vpMbMultiCueTracker::EDGE_TRACKER);
     tracker.setCameraParameters(renderedBox::camera());
     tracker.setPreset(vpMultiCuePresetFromString(preset));
-    tracker.setSearchBudget(0.); // Time would decide otherwise.
+    tracker.setFrameDeadline(0.); // Time would decide otherwise.
     vpEdgeCueSettings edges = tracker.getEdgeSettings();
     edges.range = 11.;
     tracker.setEdgeSettings(edges);

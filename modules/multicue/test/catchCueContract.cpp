@@ -61,7 +61,7 @@ public:
   const vpModelView &view(const vpCueFrame &image, const vpHomogeneousMatrix &cMo)
   {
     looks.setImage(image);
-    return looks.compute({image, m_timings, m_budget, m_streams}, cMo);
+    return looks.compute({image, m_timings, m_deadline, m_streams}, cMo);
   }
 
   // As in the first two frames of a tracker; the second one is matched at the pose before.
@@ -102,7 +102,7 @@ private:
   pointScenes::Painter m_painter;
   vpCpuRenderer m_renderer;
   vpTrackingTimings m_timings;
-  vpSearchBudget m_budget;
+  vpFrameDeadline m_deadline;
   vpRandomStreams m_streams;
 };
 

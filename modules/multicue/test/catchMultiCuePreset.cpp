@@ -68,7 +68,7 @@ std::vector<vpHomogeneousMatrix> follow(vpMbMultiCueTracker &tracker)
 void checkSame(vpMbMultiCueTracker &a, vpMbMultiCueTracker &b)
 {
   CHECK(a.getTrackerType() == b.getTrackerType());
-  CHECK(a.getSearchBudget() == exactly(b.getSearchBudget()));
+  CHECK(a.getFrameDeadline() == exactly(b.getFrameDeadline()));
   const std::vector<vpHomogeneousMatrix> posesOfA = follow(a);
   const std::vector<vpHomogeneousMatrix> posesOfB = follow(b);
   for (std::size_t i = 0; i < posesOfA.size(); ++i) {
@@ -108,7 +108,7 @@ TEST_CASE("Each preset has its settings", "[preset]")
   CHECK(settingsOf(Preset::PETIT2014) == expected);
 
   expected.searches = true;
-  expected.searchBudget = 33.;
+  expected.frameDeadline = 33.;
   CHECK(settingsOf(Preset::ROBUST) == expected);
   CHECK(settingsOf(Preset::STATIC).cues == all);
   CHECK(settingsOf(Preset::STATIC).predicts);
@@ -140,7 +140,7 @@ TEST_CASE("A preset leaves camera, moving edges, model, clipping and the rest as
     expected.prediction = fresh.prediction;
     expected.predictsRange = false;
     expected.searches = fresh.searches;
-    expected.searchBudget = fresh.searchBudget;
+    expected.frameDeadline = fresh.frameDeadline;
     CHECK(settingsOf(preset, unusual()) == expected);
   }
 }
@@ -180,7 +180,7 @@ TEST_CASE("A tracker is robust by default, also with gray images", "[preset]")
   vpMbMultiCueTracker tracker;
   CHECK(tracker.getPreset() == Preset::ROBUST);
   CHECK(tracker.getTrackerType() == all);
-  CHECK(tracker.getSearchBudget() == exactly(33.));
+  CHECK(tracker.getFrameDeadline() == exactly(33.));
   CHECK(tracker.getColorSettings() == vpColorCueSettings());
   CHECK_FALSE(tracker.getParticleSettings().enabled);
   follow(tracker);
@@ -190,7 +190,7 @@ TEST_CASE("A tracker is robust by default, also with gray images", "[preset]")
   tracker.resetTracker();
   CHECK(tracker.getPreset() == Preset::ROBUST);
   CHECK(tracker.getTrackerType() == all);
-  CHECK(tracker.getSearchBudget() == exactly(33.));
+  CHECK(tracker.getFrameDeadline() == exactly(33.));
   CHECK(tracker.getParticleSettings().enabled); // Settings stay.
   CHECK_NOTHROW(follow(tracker));
 }
@@ -216,7 +216,7 @@ TEST_CASE("A preset in a program has the settings that it has in a file", "[pres
       CHECK(one->getPoseHypothesisSettings() == expected.hypotheses);
       CHECK(one->getParticleSettings() == expected.particles);
       CHECK(one->getColorSettings() == expected.color);
-      CHECK(one->getSearchBudget() == exactly(expected.searchBudget));
+      CHECK(one->getFrameDeadline() == exactly(expected.frameDeadline));
     }
     follow(tracker);
   }
@@ -235,24 +235,24 @@ TEST_CASE("Cues of a new tracker's own are those alone", "[preset]")
   checkSame(configured, other);
   configured.resetTracker();
   CHECK(configured.getTrackerType() == (edge | color));
-  CHECK(configured.getSearchBudget() == exactly(0.));
+  CHECK(configured.getFrameDeadline() == exactly(0.));
 }
 
 TEST_CASE("What was asked for stays when a new tracker gets its cues", "[preset]")
 {
   vpMbMultiCueTracker tracker;
-  tracker.setSearchBudget(40.);
+  tracker.setFrameDeadline(40.);
   tracker.setTrackerType(edge);
-  CHECK(tracker.getSearchBudget() == exactly(40.));
+  CHECK(tracker.getFrameDeadline() == exactly(40.));
   vpMbMultiCueTracker configured;
-  load(configured, "settings.json", R"({"searchBudget": 33, "search": true, "prediction": {"enabled": true}})");
+  load(configured, "settings.json", R"({"frameDeadline": 33, "search": true, "prediction": {"enabled": true}})");
   CHECK(configured.getPreset() == Preset::ROBUST);
   configured.setTrackerType(edge | color);
-  CHECK(configured.getSearchBudget() == exactly(33.));
+  CHECK(configured.getFrameDeadline() == exactly(33.));
   vpMbMultiCueTracker given(1, edge | color);
   given.setPrediction(true);
   given.setSearch(true);
-  given.setSearchBudget(33.);
+  given.setFrameDeadline(33.);
   checkSame(configured, given);
 }
 
@@ -263,7 +263,7 @@ TEST_CASE("Cues after a preset that was asked for change nothing else", "[preset
   tracker.setTrackerType(edge);
   CHECK_FALSE(tracker.getPreset());
   CHECK(tracker.getTrackerType() == edge);
-  CHECK(tracker.getSearchBudget() == exactly(33.));
+  CHECK(tracker.getFrameDeadline() == exactly(33.));
   tracker.setPreset(Preset::TEULIERE2010);
   tracker.setTrackerType(edge | color);
   CHECK(tracker.getPoseHypothesisSettings().enabled);
@@ -279,10 +279,10 @@ TEST_CASE("ViSP's files leave preset and cues as they are", "[preset]")
   load(tracker, "settings.xml", xml);
   CHECK(tracker.getPreset() == Preset::ROBUST);
   CHECK(tracker.getTrackerType() == all);
-  CHECK(tracker.getSearchBudget() == exactly(33.));
+  CHECK(tracker.getFrameDeadline() == exactly(33.));
   CHECK(tracker.getEdgeSettings().range == exactly(9.));
   tracker.setTrackerType(edge);
-  CHECK(tracker.getSearchBudget() == exactly(0.));
+  CHECK(tracker.getFrameDeadline() == exactly(0.));
   load(tracker, "settings.xml", xml);
   CHECK(tracker.getTrackerType() == edge);
   tracker.setPreset(Preset::TEULIERE2010);

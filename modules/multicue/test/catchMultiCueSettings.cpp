@@ -96,13 +96,15 @@ TEST_CASE("Cues are a list of names")
   CHECK_THAT(messageOf([&] { settings.check(); }), ContainsSubstring("cues is 4"));
 }
 
-TEST_CASE("The search has a budget")
+TEST_CASE("A frame has a deadline")
 {
-  CHECK(vpIsSame(readJson(R"({"search": {"budget": 33.5}})").searchBudget, 33.5));
-  CHECK(vpIsSame(readJson(R"({"searchBudget": 33.5})").searchBudget, 33.5)); // As older files have it.
-  CHECK(readJson("{}", unusual()).searchBudget == exactly(unusual().searchBudget));
+  CHECK(vpIsSame(readJson(R"({"frameDeadline": 33.5})").frameDeadline, 33.5));
+  // As older files have it.
+  CHECK(vpIsSame(readJson(R"({"search": {"budget": 33.5}})").frameDeadline, 33.5));
+  CHECK(vpIsSame(readJson(R"({"searchBudget": 33.5})").frameDeadline, 33.5));
+  CHECK(readJson("{}", unusual()).frameDeadline == exactly(unusual().frameDeadline));
   for (const std::string value : {"-1", "10001", R"("33")", "null", "{}"}) {
-    CHECK_THAT(refusedJson("{\"searchBudget\": " + value + "}"), ContainsSubstring("search.budget"));
+    CHECK_THAT(refusedJson("{\"frameDeadline\": " + value + "}"), ContainsSubstring("frameDeadline"));
   }
 }
 
@@ -208,9 +210,10 @@ TEST_CASE("What is not known is named, with what is")
   CHECK_THAT(refusedJson(R"({"edges": {}})"),
              ContainsSubstring("settings.json") && ContainsSubstring("'edges'") &&
                  ContainsSubstring("the nearest is 'edge'") &&
-                 ContainsSubstring("preset, cues, camera, edge, hypotheses, particles, view, klt, color, prediction, "
-                                   "search, symmetries, lod, factors, estimation, model, display, renderer, "
-                                   "throwOnLoss"));
+                 ContainsSubstring(
+                     "preset, cues, camera, edge, hypotheses, particles, view, klt, color, prediction, frameDeadline, "
+                     "search, symmetries, lod, factors, estimation, model, display, renderer, "
+                     "throwOnLoss"));
   CHECK_THAT(refusedJson(R"({"edge": {"Range": 3}})"),
              ContainsSubstring("'Range' is not known in 'edge'") && ContainsSubstring("the nearest is 'range'") &&
                  ContainsSubstring("range, contrast, mu1, mu2, maskSize, candidates"));

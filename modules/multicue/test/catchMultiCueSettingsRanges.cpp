@@ -18,7 +18,7 @@ std::string refusedJson(const std::string &text)
 
 std::string withValue(const std::string &object, const std::string &key, const std::string &value)
 {
-  return "{\"" + object + "\": {\"" + key + "\": " + value + "}}";
+  return "{\"" + object + "\": " + (key.empty() ? value : "{\"" + key + "\": " + value + "}") + "}";
 }
 
 struct Case
@@ -112,7 +112,7 @@ const std::vector<Case> cases = {
     {"prediction", "smooth", {"true", "false"}, {"\"yes\""}},
     {"prediction", "range", {"true", "false"}, {"1"}},
     {"search", "enabled", {"true", "false"}, {"1"}},
-    {"search", "budget", {"0", "10000"}, {"-0.1", "10000.1"}},
+    {"frameDeadline", "", {"0", "10000"}, {"-0.1", "10000.1"}},
     {"symmetries", "from", {"\"none\"", "\"find\"", "\"models_info.json\"", "\"\""}, {"3", "true"}},
     {"symmetries", "object", {"0", "4294967295"}, {"-1", "4294967296", "1.0"}},
     {"lod", "enabled", {"true", "false"}, {"0"}},
@@ -141,7 +141,7 @@ const std::vector<Case> cases = {
 TEST_CASE("Every key takes the values of its range, and no others")
 {
   for (const Case &one : cases) {
-    const std::string name = one.object + '.' + one.key;
+    const std::string name = one.key.empty() ? one.object : one.object + '.' + one.key;
     for (const std::string &value : one.accepted) {
       INFO(name << " = " << value);
       CHECK(refusedJson(withValue(one.object, one.key, value)) == "");

@@ -94,7 +94,7 @@ TEST_CASE("Every node comes where it belongs")
   keptOnly.prediction = unusual().prediction;
   keptOnly.frameInterval = unusual().frameInterval;
   keptOnly.searches = unusual().searches;
-  keptOnly.searchBudget = unusual().searchBudget;
+  keptOnly.frameDeadline = unusual().frameDeadline;
   keptOnly.symmetries = unusual().symmetries;
   keptOnly.symmetricObject = unusual().symmetricObject;
   keptOnly.view.border = unusual().view.border;

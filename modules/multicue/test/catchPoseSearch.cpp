@@ -2,6 +2,7 @@
 #include "searchScenes.h"
 
 // The library keeps them to itself.
+#include "frame/vpFrameDeadline.cpp"
 #include "search/vpContourAligner.cpp"
 #include "search/vpPointProjection.cpp"
 #include "search/vpPoseScore.cpp"
@@ -162,6 +163,7 @@ TEST_CASE("Distances along the line of sight have a unit of their own", "[pose-s
     const Eigen::Vector3d shift = 0.1 * scene.model->diameter() * direction;
     vpPoseSearch search(scene.score, *scene.model, 1);
     search.scatter({truth, searchScenes::displaced(truth, Eigen::Vector3d::UnitX(), 0., shift)}, apart, 0);
+    search.score();
     search.keepBest(10, apart);
     return search.candidates().size();
   };
@@ -173,6 +175,28 @@ TEST_CASE("Distances along the line of sight have a unit of their own", "[pose-s
   CHECK(kept(across, fineDepth) == 1);
 }
 
+TEST_CASE("A search whose time is over keeps those that it looked at", "[pose-search]")
+{
+  Judged scene;
+  for (const double time : {0., 1e4}) {
+    CAPTURE(time);
+    vpFrameDeadline deadline;
+    deadline.set(1e4);
+    deadline.startFrame();
+    vpPoseSearch search(scene.score, *scene.model, 1);
+    search.scatter({truth}, {0.1, 0.3, 0.1}, 5);
+    search.score();
+    search.setLimit(deadline.after(time));
+    search.scatter({truth}, {0.1, 0.3, 0.1}, 500);
+    search.mix();
+    search.score();
+    CHECK(search.isCutShort() == (time < 1.));
+    CHECK(search.scored() == (time < 1. ? 6U : 6U + 507U));
+    search.keepBest(1000, {1e-9, 1e-9, 1e-9});
+    CHECK(search.candidates().size() == (time < 1. ? 6U : 506U));
+  }
+}
+
 TEST_CASE("A search that is to keep nothing keeps nothing", "[pose-search]")
 {
   Judged scene;
@@ -182,6 +206,10 @@ TEST_CASE("A search that is to keep nothing keeps nothing", "[pose-search]")
   search.anneal({0.1, 0.3, 0.1}, 0, 10, 2);
   CHECK(search.candidates().empty());
   search.scatter({truth}, {0.1, 0.3, 0.1}, 5);
+  search.keepBest(1, {0.1, 0.3, 0.1});
+  CHECK(search.candidates().empty()); // Nobody looked at them.
+  search.scatter({truth}, {0.1, 0.3, 0.1}, 5);
+  search.score();
   search.keepBest(1, {0.1, 0.3, 0.1});
   CHECK(search.candidates().size() == 1);
   search.keepBest(0, {0.1, 0.3, 0.1});

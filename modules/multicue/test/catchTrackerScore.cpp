@@ -23,7 +23,7 @@ void prepare(vpMbMultiCueTracker &tracker)
 {
   tracker.setCameraParameters(renderedBox::camera());
   tracker.loadModel(renderedBox::writeCao(meshFiles::temporaryFile("score-box.cao")));
-  tracker.setSearchBudget(0.); // Time would decide otherwise.
+  tracker.setFrameDeadline(0.); // Time would decide otherwise.
 }
 
 // As far off the pose as the image has pixels, in one of several directions.

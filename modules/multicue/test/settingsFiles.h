@@ -97,7 +97,7 @@ inline vpMultiCueSettings unusual()
   settings.prediction = {1. / 3., 2. / 3., 4. / 3., 5. / 3., 7. / 3., false};
   settings.frameInterval = 1. / 70.;
   settings.searches = true;
-  settings.searchBudget = 1000. / 7.;
+  settings.frameDeadline = 1000. / 7.;
   settings.symmetries = "/objects/models_info.json";
   settings.symmetricObject = 4000000005U;
   settings.useLod = true;
@@ -209,7 +209,7 @@ inline bool operator==(const vpMultiCueSettings &a, const vpMultiCueSettings &b)
 {
   const auto others = [](const vpMultiCueSettings &s) {
     return vpNumbers{double(s.cues),     double(s.predicts),    s.frameInterval,           double(s.predictsRange),
-                     double(s.searches), s.searchBudget,        double(s.symmetricObject), double(s.useLod),
+                     double(s.searches), s.frameDeadline,       double(s.symmetricObject), double(s.useLod),
                      s.minLineLength,    s.minPolygonArea,      double(s.clipToImage),     s.goodRatio,
                      double(s.renderer), double(s.throwsOnLoss)};
   };

@@ -57,7 +57,7 @@ public:
     all.insert(all.end(), colors.bands.begin(), colors.bands.end());
     const vpPoseHypothesisSettings hypotheses = getPoseHypothesisSettings();
     add(hypotheses.enabled, hypotheses.reach);
-    add(getParticleSettings().enabled, getTrackerType(), getSearchBudget(), getGoodMovingEdgesRatioThreshold());
+    add(getParticleSettings().enabled, getTrackerType(), getFrameDeadline(), getGoodMovingEdgesRatioThreshold());
     add(m_maxIter, m_lambda, m_initialMu, m_stopCriteriaEpsilon, computeCovariance);
     return all;
   }

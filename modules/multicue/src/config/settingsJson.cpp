@@ -102,12 +102,25 @@ void readSwitch(const std::string &file, const std::string &object, bool isOn, D
   }
 }
 
+void readObject(const std::string &file, const std::string &object, const Json &json, Draft &draft);
+void readKey(const std::string &file, const std::string &object, const std::string &key, const Json &value,
+             Draft &draft);
+
+void readAs(const std::string &file, const OtherName &known, const Json &json, Draft &draft)
+{
+  if (*known.knownKey == '\0') {
+    readObject(file, known.knownObject, json, draft);
+  } else {
+    readKey(file, known.knownObject, known.knownKey, json, draft);
+  }
+}
+
 void readKey(const std::string &file, const std::string &object, const std::string &key, const Json &value,
              Draft &draft)
 {
   for (const OtherName &other : otherNames()) {
     if (object == other.object && key == other.key) {
-      return readKey(file, other.knownObject, other.knownKey, value, draft);
+      return readAs(file, other, value, draft);
     }
   }
   const std::vector<std::string> known = keysOf(object);
@@ -125,8 +138,7 @@ void readObject(const std::string &file, const std::string &object, const Json &
 {
   for (const OtherName &other : otherNames()) {
     if (object == other.object && *other.key == '\0') {
-      return *other.knownKey == '\0' ? readObject(file, other.knownObject, json, draft)
-                                     : readKey(file, other.knownObject, other.knownKey, json, draft);
+      return readAs(file, other, json, draft);
     }
   }
   const std::vector<std::string> objects = objectNames();

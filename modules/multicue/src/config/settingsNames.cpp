@@ -11,8 +11,9 @@ namespace vpSettingsDetail {
 const std::vector<OtherName> &otherNames()
 {
   static const std::vector<OtherName> names = {
-      {"point", "", "klt", ""}, // As the cue is called in "cues".
-      {"searchBudget", "", "search", "budget"},
+      {"point", "", "klt", ""},                  // As the cue is called in "cues".
+      {"searchBudget", "", "frameDeadline", ""}, // As older files have it.
+      {"search", "budget", "frameDeadline", ""}, // Likewise.
       {"lod", "use", "lod", enabledKey},
   };
   return names;

@@ -60,6 +60,16 @@ Json entrySchema(const Entry &entry, Draft &defaults)
   return schema;
 }
 
+Json objectSchema(const std::string &object, Draft &defaults);
+
+// Of what another name stands for.
+Json knownSchema(const OtherName &other, Draft &defaults)
+{
+  return *other.knownKey == '\0'
+             ? objectSchema(other.knownObject, defaults)
+             : entrySchema(settingsEntry(std::string(other.knownObject) + '.' + other.knownKey), defaults);
+}
+
 Json objectSchema(const std::string &object, Draft &defaults)
 {
   if (isValue(object)) {
@@ -73,7 +83,7 @@ Json objectSchema(const std::string &object, Draft &defaults)
   }
   for (const OtherName &other : otherNames()) {
     if (object == other.object && *other.key != '\0') {
-      keys[other.key] = keys[other.knownKey];
+      keys[other.key] = knownSchema(other, defaults);
     }
   }
   const Json schema = {{"type", "object"}, {"properties", keys}, {"additionalProperties", false}};
@@ -91,10 +101,7 @@ std::string jsonSchemaText()
   }
   for (const OtherName &other : otherNames()) {
     if (*other.key == '\0') {
-      properties[other.object] =
-          *other.knownKey == '\0'
-              ? objectSchema(other.knownObject, defaults)
-              : entrySchema(settingsEntry(std::string(other.knownObject) + '.' + other.knownKey), defaults);
+      properties[other.object] = knownSchema(other, defaults);
     }
   }
   const Json schema = {

@@ -20,7 +20,7 @@ constexpr std::array<Name, 5> presetNames = {{{vpMultiCuePreset::ROBUST, "robust
                                               {vpMultiCuePreset::PETIT2014, "petit2014"}}};
 
 // Of a frame that looks for a lost object: the time between two images of a camera with 30 of them in a second.
-constexpr double searchBudget = 33.; // Milliseconds.
+constexpr double frameDeadline = 33.; // Milliseconds.
 // [T10]'s potential edges: so many serve better than the default where edges lie close together.
 constexpr unsigned int severalCandidates = 5;
 
@@ -55,7 +55,7 @@ void makeRobust(vpMultiCueSettings &settings)
 {
   fuse(settings);
   settings.searches = true;
-  settings.searchBudget = searchBudget;
+  settings.frameDeadline = frameDeadline;
 }
 
 void makeStatic(vpMultiCueSettings &settings)
@@ -120,7 +120,7 @@ void vpMultiCueSettings::setPreset(vpMultiCuePreset preset)
   prediction = defaults.prediction;
   predictsRange = false;
   searches = false;
-  searchBudget = 0.;
+  frameDeadline = 0.;
   switch (preset) {
   case vpMultiCuePreset::ROBUST:
     return makeRobust(*this);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/vpMultiCueEngine.h"
 
+#include "motion/vpPoseCheck.h"
+
 BEGIN_VISP_NAMESPACE
 
 namespace {
@@ -52,19 +54,21 @@ void vpMultiCueEngine::setModel(vpTrackedModel &&model)
 void vpMultiCueEngine::forgetImages()
 {
   m_captured.reset();
+  deadline.startFrame();
   m_learning.forget();
   m_follower.forgetImages();
 }
 
 vpFrameContext vpMultiCueEngine::frameOf(const vpCueFrame &image)
 {
-  return {image, timings, budget, m_streams};
+  return {image, timings, deadline, m_streams};
 }
 
 void vpMultiCueEngine::start(unsigned int width, unsigned int height, const vpHomogeneousMatrix &cMo)
 {
   m_learning.trust(cMo);
   looks.setSize(width, height);
+  m_score.prepare(deadline.isLimited() && settings.searches);
   forgetImages();
   rough.clear();
   outcome.text = "no image was tracked yet";
@@ -119,6 +123,7 @@ void vpMultiCueEngine::track(const vpCueFrame &image, vpHomogeneousMatrix &cMo)
   m_captured.reset();
   edges.startFrame();
   situation.wasTracking = outcome.isTracking();
+  m_score.prepare(deadline.isLimited() && settings.searches);
   looks.setImage(image);
   askDetector(image);
   if (!m_starter.resume(frame, settings.searches, cMo)) {
@@ -127,12 +132,26 @@ void vpMultiCueEngine::track(const vpCueFrame &image, vpHomogeneousMatrix &cMo)
   const vpHomogeneousMatrix before = cMo;
   predict(cMo);
   const bool compares = comparesAttempts();
-  const Found found = compares ? fuse(frame) : followEdges(frame, cMo, before);
+  Found found = compares ? fuse(frame) : followEdges(frame, cMo, before);
+  refuseUnbelievable(before, found);
+  const double end = deadline.elapsed();
   cMo = found.cMo;
   m_learning.updateCovariance(cMo);
   m_watch.decide({cMo, found.best, found.best.cMo, m_verdict.agreement}, settings.searches);
   endFrame(frame, found, before, cMo);
   m_starter.confirm(frame, cMo);
+  deadline.learnEnding(deadline.elapsed() - end);
+}
+
+// A minimisation that diverged ends anywhere, and what is left of the object there agrees with any image.
+void vpMultiCueEngine::refuseUnbelievable(const vpHomogeneousMatrix &before, Found &found)
+{
+  const std::string why = vpPoseCheck::whyUnbelievable(looks.model(), found.cMo, looks.camera());
+  if (!why.empty()) {
+    outcome.setUnseen(why);
+    m_attempts.forgetBest();
+    found = {before, m_attempts.best()};
+  }
 }
 
 // Attempts from one start after the other, and the best of them.
@@ -161,7 +180,7 @@ vpMultiCueEngine::Found vpMultiCueEngine::fuse(const vpFrameContext &frame)
 
 void vpMultiCueEngine::compareTwins(const vpFrameContext &frame)
 {
-  if (!m_attempts.hasBest() || situation.mustConfirm || m_twins.isOver() || budget.isSpent()) {
+  if (!m_attempts.hasBest() || situation.mustConfirm || m_twins.isOver() || deadline.putsOff(vpPutOff::COMPARISON)) {
     return;
   }
   bool hasMoved = false;
@@ -210,7 +229,8 @@ void vpMultiCueEngine::endFrame(const vpFrameContext &frame, const Found &found,
                                 vpHomogeneousMatrix &cMo)
 {
   if (outcome.isLost()) {
-    const bool coasts = motion.mayCoast();
+    const bool coasts =
+        motion.mayCoast() && vpPoseCheck::whyUnbelievable(looks.model(), motion.expected(), looks.camera()).empty();
     cMo = coasts ? motion.expected() : before;
     outcome.reason = coasts ? vpMbTrackingResult::Reason::COASTING : outcome.reason;
     for (const vpCueSet::Used &used : cues.used()) {

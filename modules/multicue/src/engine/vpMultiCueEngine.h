@@ -52,7 +52,7 @@ public:
   vpPoseCovariance covariance;
   vpObjectMotion motion;
   vpTrackerParticles particles;
-  vpSearchBudget budget;
+  vpFrameDeadline deadline;
   vpTrackingTimings timings;
   vpRoughStart rough;
   vpTrackingOutcome outcome;
@@ -67,6 +67,7 @@ private:
     vpAttempts::Attempt best;
   };
   void predict(vpHomogeneousMatrix &cMo);
+  void refuseUnbelievable(const vpHomogeneousMatrix &before, Found &found);
   Found fuse(const vpFrameContext &frame);
   Found followEdges(const vpFrameContext &frame, const vpHomogeneousMatrix &expected,
                     const vpHomogeneousMatrix &before);

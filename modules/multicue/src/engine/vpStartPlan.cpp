@@ -74,7 +74,7 @@ bool vpStartPlan::followOthers(const vpFrameContext &frame)
   vpPoseTracks &tracks = m_situation.tracks;
   const std::size_t number = tracks.tracks().size(); // Before this frame.
   bool isEnough = false;
-  for (std::size_t i = 1; i < number && !frame.budget.isSpent(); ++i) {
+  for (std::size_t i = 1; i < number; ++i) {
     const vpPoseTracks::Track track = tracks.tracks()[i]; // As it was before the attempts.
     tracks.follow(i);
     isEnough = m_attempts.attempt(frame, {track.cMo, vpStart::BY_COLORS}) || isEnough;
@@ -122,8 +122,7 @@ void vpStartPlan::tryOthers(const vpFrameContext &frame)
   if (m_attempts.attempt(frame, {expected, vpStart::AS_VIEWED})) {
     return;
   }
-  if (m_cues.uses(vpCueSet::EDGE) &&
-      m_attempts.attempt(frame, {m_edges.propose(frame, expected), vpStart::AS_VIEWED, expected})) {
+  if (m_cues.uses(vpCueSet::EDGE) && attemptProposed(frame, expected)) {
     return;
   }
   if (m_settings.searches) {
@@ -172,15 +171,25 @@ bool vpStartPlan::followExpected(const vpFrameContext &frame)
 bool vpStartPlan::tryProposed(const vpFrameContext &frame)
 {
   const bool isTold = m_cues.uses(vpCueSet::EDGE) && !m_cues.isEdgesAlone();
-  if (!isTold || !m_attempts.hasBest() || frame.budget.isSpent()) {
+  if (!isTold || !m_attempts.hasBest()) {
     return false;
   }
   const vpHomogeneousMatrix best = m_attempts.best().cMo;
-  const vpHomogeneousMatrix proposed = m_edges.propose(frame, best);
   m_situation.tracks.follow(best, m_alike.same());
-  const bool isEnough = m_attempts.attempt(frame, {proposed, vpStart::AS_VIEWED, best});
+  const bool isEnough = attemptProposed(frame, best);
   m_situation.tracks.followNone();
   return isEnough;
+}
+
+// The pose that the edges around one allow. \return True where it leads to one that is enough.
+bool vpStartPlan::attemptProposed(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo)
+{
+  if (frame.deadline.putsOff(vpPutOff::STARTS)) {
+    return false;
+  }
+  const vpHomogeneousMatrix proposed = m_edges.propose(frame, cMo);
+  m_attempts.noteMoved();
+  return m_attempts.attempt(frame, {proposed, vpStart::AS_VIEWED, cMo});
 }
 
 END_VISP_NAMESPACE

@@ -38,6 +38,7 @@ private:
   void findAgain(const vpFrameContext &frame);
   bool followExpected(const vpFrameContext &frame);
   bool tryProposed(const vpFrameContext &frame);
+  bool attemptProposed(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo);
   bool tryKeyframes(const vpFrameContext &frame, bool isNear);
 
   const vpEngineSettings &m_settings;

@@ -13,8 +13,9 @@ namespace {
 const double keptLead = 0.9;
 // In each of so many others are looked for around the pose; poses drawn for that, and those that are compared.
 const unsigned int searchInterval = 10;
-const std::size_t searched = 80;
+const double searched = 80.;
 const std::size_t mostFound = 4;
+const double shareOfSearch = 0.5; // Of what is left of a frame with a deadline.
 // A pose that slipped by less than this (radians) is turned back to; where its twin has less than these odds before it.
 const double mostSlip = 0.5;
 const double leastOdds = 2.;
@@ -45,6 +46,9 @@ std::optional<vpHomogeneousMatrix> vpTwinComparison::compare(const vpFrameContex
   if (++m_twins.frames % searchInterval == 0) {
     search(frame, followed);
   }
+  if (frame.deadline.putsOff(vpPutOff::COMPARISON)) {
+    return std::nullopt;
+  }
   hasMoved = !m_twins.twins.empty();
   if (!hasMoved) {
     return std::nullopt;
@@ -58,6 +62,7 @@ std::optional<vpHomogeneousMatrix> vpTwinComparison::compare(const vpFrameContex
 std::optional<vpHomogeneousMatrix> vpTwinComparison::refine(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo,
                                                             vpContourEvidence &contours)
 {
+  const vpTimedWork work(frame.deadline, vpPutOff::COMPARISON);
   const vpEstimate estimate = m_estimator.from(frame, {cMo, vpStart::FINE});
   if (!estimate.isFound) {
     return std::nullopt;
@@ -70,12 +75,17 @@ std::optional<vpHomogeneousMatrix> vpTwinComparison::refine(const vpFrameContext
 // The pose may have slipped to contours beside its own, while little of the object was in the image.
 void vpTwinComparison::search(const vpFrameContext &frame, const vpHomogeneousMatrix &followed)
 {
-  m_score.setFrame(frame);
+  if (!m_score.setFrameInTime(frame)) {
+    return;
+  }
+  m_size.begin(frame.deadline, shareOfSearch);
   vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
   search.setSymmetries(m_symmetries.get());
   search.setPrior({followed}, vpPoseSearch::near(), vpPoseSearch::Tail::LIGHT);
-  search.scatter({followed}, vpPoseSearch::near(), searched);
-  m_score.settle(search);
+  search.setLimit(m_size.limit());
+  search.scatter({followed}, vpPoseSearch::near(), m_size.of(searched));
+  m_score.settle(search, m_size.share());
+  m_size.end(frame.deadline);
   search.keepBest(mostFound, vpPoseSearch::same());
   for (const vpPoseCandidate &candidate : search.candidates()) {
     m_twins.twins.push_back({followed.inverse() * m_alike.nearest(candidate.cMo), 0.});
@@ -91,7 +101,7 @@ void vpTwinComparison::weigh(const vpFrameContext &frame, const vpHomogeneousMat
   const double surface = m_proof.surfaceEvidence(followed, m_knowledge);
   std::vector<Twin> kept;
   for (Twin &twin : m_twins.twins) {
-    if (frame.budget.isSpent()) {
+    if (frame.deadline.putsOff(vpPutOff::COMPARISON)) {
       kept.push_back(twin);
       continue;
     }

@@ -2,6 +2,7 @@
 #ifndef vpTwinComparison_h
 #define vpTwinComparison_h
 
+#include "frame/vpSearchSize.h"
 #include "starts/vpAttempts.h"
 #include "estimate/vpEdgeEstimator.h"
 #include "judge/vpFoundPoseTwins.h"
@@ -49,6 +50,7 @@ private:
   vpFoundPoseTwins &m_twins;
 
   vpEdgeCue m_plainEdges; // Without memory.
+  vpSearchSize m_size;
 };
 
 END_VISP_NAMESPACE

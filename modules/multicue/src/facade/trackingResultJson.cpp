@@ -111,15 +111,33 @@ vpHomogeneousMatrix poseOf(const Json &json)
 }
 
 // The value whose name is written. \param values All that there are.
-template <typename Enum> Enum choiceOf(const Json &json, const std::string &name, const std::vector<Enum> &values)
+template <typename Enum> Enum choiceOf(const Json &text, const std::string &name, const std::vector<Enum> &values)
 {
-  const auto text = valueOf<std::string>(json, name);
   for (const Enum value : values) {
     if (text == toString(value)) {
       return value;
     }
   }
-  refuse("'" + name + "' is not known as \"" + text + "\"");
+  refuse("'" + name + "' is not known as " + text.dump());
+}
+
+Json putOffJson(const std::vector<vpPutOff> &works)
+{
+  Json list = Json::array();
+  for (const vpPutOff work : works) {
+    list.push_back(toString(work));
+  }
+  return list;
+}
+
+std::vector<vpPutOff> readPutOff(const Json &json)
+{
+  std::vector<vpPutOff> works;
+  for (const Json &one : listOf(json, "putOff")) {
+    works.push_back(choiceOf<vpPutOff>(
+        one, "putOff", {vpPutOff::STARTS, vpPutOff::KEYFRAMES, vpPutOff::SEARCH, vpPutOff::COMPARISON}));
+  }
+  return works;
 }
 
 Json cuesJson(const std::vector<Result::Cue> &cues)
@@ -217,7 +235,8 @@ std::string vpMbTrackingResult::toJson(int indent) const
                      {"cues", cuesJson(cues)},
                      {"unobserved", unobservedJson(unobserved)},
                      {"hypotheses", hypothesesJson(hypotheses)},
-                     {"timings", timingsJson(timings)}};
+                     {"timings", timingsJson(timings)},
+                     {"putOff", putOffJson(putOff)}};
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -234,10 +253,10 @@ vpMbTrackingResult vpMbTrackingResult::fromJson(const std::string &text)
     readMatrix(json, "covariance", result.covariance);
   }
   result.state = choiceOf<vpTrackingState>(
-      json, "state", {vpTrackingState::TRACKING, vpTrackingState::UNCERTAIN, vpTrackingState::LOST});
+      member(json, "state"), "state", {vpTrackingState::TRACKING, vpTrackingState::UNCERTAIN, vpTrackingState::LOST});
   result.score = numberOf(json, "score");
   result.reason =
-      choiceOf<Reason>(json, "reason",
+      choiceOf<Reason>(member(json, "reason"), "reason",
                        {Reason::NOT_STARTED, Reason::WELL_EXPLAINED, Reason::PARTLY_EXPLAINED, Reason::CONFIRMING,
                         Reason::NOTHING_SEEN, Reason::FEW_FEATURES, Reason::CONTRADICTED, Reason::COASTING});
   result.text = valueOf<std::string>(json, "text");
@@ -245,6 +264,7 @@ vpMbTrackingResult vpMbTrackingResult::fromJson(const std::string &text)
   result.unobserved = readUnobserved(json);
   result.hypotheses = readHypotheses(json);
   result.timings = readTimings(json);
+  result.putOff = readPutOff(json);
   return result;
 }
 

@@ -147,7 +147,7 @@ template <typename Pixel> void vpMbMultiCueTracker::Impl::trackOn(const vpImage<
   }
   vpTrackingTimings &timings = m_engine.timings;
   m_engine.particles.adaptNumber(timings);
-  m_engine.budget.startFrame();
+  m_engine.deadline.startFrame();
   timings = vpTrackingTimings();
   const vpStopwatch whole(timings.total);
   const auto makeFrame = [&] {

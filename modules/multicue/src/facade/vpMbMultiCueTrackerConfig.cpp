@@ -21,9 +21,9 @@ void vpMbMultiCueTracker::setTrackerType(int type)
   vpMultiCueEngine &engine = m_impl->engine();
   engine.cues.setType(type, engine.looks);
   m_impl->updatePointFilter();
-  double budget = engine.budget.get();
-  m_impl->choice.takeCues(engine.motion.predicts, engine.settings.searches, budget);
-  engine.budget.set(budget);
+  double deadline = engine.deadline.get();
+  m_impl->choice.takeCues(engine.motion.predicts, engine.settings.searches, deadline);
+  engine.deadline.set(deadline);
 }
 
 int vpMbMultiCueTracker::getTrackerType() const
@@ -258,15 +258,15 @@ void vpMbMultiCueTracker::setSearch(bool flag)
   m_impl->choice.keepsSearch = true;
 }
 
-void vpMbMultiCueTracker::setSearchBudget(double milliseconds)
+void vpMbMultiCueTracker::setFrameDeadline(double milliseconds)
 {
-  m_impl->engine().budget.set(milliseconds);
-  m_impl->choice.keepsBudget = true;
+  m_impl->engine().deadline.set(milliseconds);
+  m_impl->choice.keepsDeadline = true;
 }
 
-double vpMbMultiCueTracker::getSearchBudget() const
+double vpMbMultiCueTracker::getFrameDeadline() const
 {
-  return m_impl->engine().budget.get();
+  return m_impl->engine().deadline.get();
 }
 
 void vpMbMultiCueTracker::setSymmetries(const vpModelSymmetries &symmetries)

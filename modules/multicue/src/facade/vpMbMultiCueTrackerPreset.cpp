@@ -31,7 +31,7 @@ void vpMbMultiCueTracker::setPreset(Preset preset)
   setPrediction(settings.predicts, settings.prediction);
   setPredictedRange(settings.predictsRange);
   setSearch(settings.searches);
-  setSearchBudget(settings.searchBudget);
+  setFrameDeadline(settings.frameDeadline);
   m_impl->choice = vpPresetChoice();
   m_impl->choice.preset = preset;
 }
@@ -47,13 +47,13 @@ vpPresetChoice choiceWith(vpSettingsDetail::FileSettings &file, const vpPresetCh
   vpPresetChoice choice = before;
   choice.keepsPrediction = choice.keepsPrediction || file.says("prediction.enabled");
   choice.keepsSearch = choice.keepsSearch || file.says("search.enabled");
-  choice.keepsBudget = choice.keepsBudget || file.says("search.budget");
+  choice.keepsDeadline = choice.keepsDeadline || file.says("frameDeadline");
   if (file.preset) {
     choice = vpPresetChoice();
     choice.preset = file.preset;
   }
   if (file.says("cues")) {
-    choice.takeCues(file.settings.predicts, file.settings.searches, file.settings.searchBudget);
+    choice.takeCues(file.settings.predicts, file.settings.searches, file.settings.frameDeadline);
   }
   return choice;
 }

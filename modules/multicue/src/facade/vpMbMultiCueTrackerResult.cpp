@@ -74,6 +74,7 @@ vpMbTrackingResult vpMbMultiCueTracker::getTrackingResult() const
   }
   result.hypotheses = getPoseHypotheses();
   result.timings = engine.timings;
+  result.putOff = engine.deadline.putOff();
   return result;
 }
 

@@ -50,7 +50,7 @@ vpMultiCueSettings vpMbMultiCueTracker::Impl::settings()
   settings.frameInterval = m_engine.motion.frameInterval;
   settings.predictsRange = m_engine.motion.rangeIsPredicted;
   settings.searches = m_engine.settings.searches;
-  settings.searchBudget = m_engine.budget.get();
+  settings.frameDeadline = m_engine.deadline.get();
   settings.symmetries = m_engine.symmetries.from();
   settings.symmetricObject = m_engine.symmetries.object();
   settings.goodRatio = m_engine.settings.goodRatio;
@@ -141,7 +141,7 @@ void vpMbMultiCueTracker::Impl::apply(const vpMultiCueSettings &settings)
   m_tracker.setPredictedRange(settings.predictsRange);
   m_tracker.setFrameInterval(settings.frameInterval);
   m_tracker.setSearch(settings.searches);
-  m_tracker.setSearchBudget(settings.searchBudget);
+  m_tracker.setFrameDeadline(settings.frameDeadline);
   m_engine.settings.goodRatio = settings.goodRatio;
   m_engine.cues.factors = settings.factors;
   m_engine.looks.setPreference(settings.renderer);

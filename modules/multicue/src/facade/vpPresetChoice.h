@@ -16,15 +16,15 @@ struct vpPresetChoice
   // Of such a preset, what was asked for since, and stays where it gives way.
   bool keepsPrediction = false;
   bool keepsSearch = false;
-  bool keepsBudget = false;
+  bool keepsDeadline = false;
 
   //! Cues were chosen. An assumed preset gives way to them: what it had switched on is switched off.
-  void takeCues(bool &predicts, bool &searches, double &budget)
+  void takeCues(bool &predicts, bool &searches, double &deadline)
   {
     if (isAssumed) {
       predicts = predicts && keepsPrediction;
       searches = searches && keepsSearch;
-      budget = keepsBudget ? budget : 0.;
+      deadline = keepsDeadline ? deadline : 0.;
     }
     *this = vpPresetChoice();
   }

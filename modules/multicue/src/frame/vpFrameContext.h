@@ -2,7 +2,7 @@
 #ifndef vpFrameContext_h
 #define vpFrameContext_h
 
-#include "frame/vpSearchBudget.h"
+#include "frame/vpFrameDeadline.h"
 
 #include <visp3/cues/vpCueFrame.h>
 #include <visp3/multicue/vpTrackingTimings.h>
@@ -24,7 +24,7 @@ struct vpFrameContext
 {
   const vpCueFrame &image;
   vpTrackingTimings &timings;
-  vpSearchBudget &budget;
+  vpFrameDeadline &deadline;
   vpRandomStreams &streams;
 };
 

@@ -5,8 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 BEGIN_VISP_NAMESPACE
+
+namespace {
+// Of the object's diameter in the image, pixels: what is smaller shows no pose, and minimisations that diverge go on to
+// distances of kilometres.
+const double smallest = 2.;
+
+std::string textOf(const char *format, double first, double second)
+{
+  constexpr std::size_t longest = 200;
+  std::string text(longest, '\0');
+  const int length = std::snprintf(text.data(), longest, format, first, second);
+  text.resize(std::min(static_cast<std::size_t>(std::max(length, 0)), longest - 1));
+  return text;
+}
+} // namespace
 
 bool vpPoseCheck::isFinite(const vpHomogeneousMatrix &cMo)
 {
@@ -23,6 +39,25 @@ void vpPoseCheck::requireRigid(const vpHomogeneousMatrix &cMo)
     throw vpException(vpException::badValue,
                       "The initial pose has no rotation in its upper left 3 x 3: check how it was computed");
   }
+}
+
+std::string vpPoseCheck::whyUnbelievable(const vpTrackedModel &model, const vpHomogeneousMatrix &cMo,
+                                         const vpCameraParameters &cam)
+{
+  if (!isFinite(cMo)) {
+    return "the estimated pose is not finite";
+  }
+  const Eigen::Vector3d centre = model.centre();
+  const double depth = cMo[2][0] * centre.x() + cMo[2][1] * centre.y() + cMo[2][2] * centre.z() + cMo[2][3];
+  if (!(depth > -0.5 * model.diameter())) {
+    return textOf("at the estimated pose the object (%g m wide) is behind the camera, at %g m", model.diameter(),
+                  depth);
+  }
+  const double size = std::min(cam.get_px(), cam.get_py()) * model.diameter() / std::max(depth, model.diameter());
+  if (size < smallest) {
+    return textOf("at the estimated pose the object is %g m away and %.2g pixels wide", depth, size);
+  }
+  return std::string();
 }
 
 // The projected corners of the bounding box tell whether a camera can see anything of the object.

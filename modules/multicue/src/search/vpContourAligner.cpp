@@ -126,7 +126,7 @@ void vpContourAligner::addContour(const vpSeenPoint &point, const Eigen::Vector3
 
 const vpSphereView &vpContourAligner::viewAt(const Eigen::Isometry3d &cMo) const
 {
-  return m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -(cMo * m_sphere->model().centre())));
+  return m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -(cMo * m_sphere->model().centre()), m_level));
 }
 
 bool vpContourAligner::stepByColors(Eigen::Isometry3d &cMo, double reach) const

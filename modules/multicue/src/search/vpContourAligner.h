@@ -26,7 +26,13 @@ BEGIN_VISP_NAMESPACE
 class vpContourAligner
 {
 public:
-  void setSphere(vpViewSphere *sphere) { m_sphere = sphere; }
+  void setSphere(vpViewSphere *sphere)
+  {
+    m_sphere = sphere;
+    m_level = sphere->options().level;
+  }
+  // The finest one whose views are looked at.
+  void setLevel(unsigned int level) { m_level = level; }
   // Either map may be null, and the step that needs it is then not to be called.
   void setImage(const vpColorOddsMap *colors, const vpOrientedDistanceMap *edges, const vpCameraParameters &cam,
                 unsigned int width, unsigned int height);
@@ -54,6 +60,7 @@ private:
   const vpSphereView &viewAt(const Eigen::Isometry3d &cMo) const;
 
   vpViewSphere *m_sphere = nullptr;
+  unsigned int m_level = 0;
   const vpColorOddsMap *m_colors = nullptr;
   const vpOrientedDistanceMap *m_edges = nullptr;
   vpPointCamera m_camera;

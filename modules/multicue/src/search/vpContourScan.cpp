@@ -143,7 +143,7 @@ std::size_t vpContourScan::addPoints(const Eigen::Isometry3d &cMo)
   if (!(at.z() > 0.)) {
     return 0;
   }
-  const unsigned int level = std::min(m_sphere->options().level, mostLevel);
+  const unsigned int level = std::min(m_level, mostLevel);
   const vpSphereView &view = m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -at, level));
   vpPointCamera camera = m_camera;
   camera.u0 = camera.v0 = farAway;

@@ -30,7 +30,13 @@ public:
     double share = 0.;      // Of the view's points: 1 where all are on edges of their orientation.
   };
 
-  void setSphere(vpViewSphere *sphere) { m_sphere = sphere; }
+  void setSphere(vpViewSphere *sphere)
+  {
+    m_sphere = sphere;
+    m_level = sphere->options().level;
+  }
+  // The finest one whose views are looked at.
+  void setLevel(unsigned int level) { m_level = level; }
   // Before find(). radius: how large the object is about to be in the image, pixels.
   void setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
                 unsigned int height, double radius);
@@ -61,6 +67,7 @@ private:
   }
 
   vpViewSphere *m_sphere = nullptr;
+  unsigned int m_level = 0;
   vpPointCamera m_camera;
   double m_step = 8.;     // Of the grids, pixels.
   double m_radius = 100.; // Pixels.

@@ -10,6 +10,8 @@ namespace {
 const double othersAfterLoss = 0.5;
 const double othersByEdges = 0.15; // The same in one by edges.
 const unsigned int spherePoints = 100;
+// Of the sphere, to look for poses: neighbouring views are 17 degrees apart.
+const unsigned int leastLevel = 2;
 const std::size_t keptParents = 24;
 const std::size_t children = 200;
 const unsigned int layers = 3;
@@ -25,12 +27,12 @@ void keepSettled(vpPoseSearch &search)
 
 // Poses that were aligned are near to what they can become. A right one's peak is narrow: what is drawn around them
 // slides to where it fits before it is looked at.
-template <typename Align> void annealSettled(vpPoseSearch &search, Align &&align)
+template <typename Align> void annealSettled(vpPoseSearch &search, std::size_t number, Align &&align)
 {
   search.score();
   vpPoseSearch::Spread spread = aroundSettled;
   for (unsigned int layer = 1; layer < layers; ++layer) {
-    search.breed(spread, keptParents, children);
+    search.breed(spread, keptParents, number);
     search.keepCopies();
     align();
     search.addCopies();
@@ -39,22 +41,71 @@ template <typename Align> void annealSettled(vpPoseSearch &search, Align &&align
   }
   search.keepBest(keptParents, spread);
 }
+
+std::size_t childrenOf(double share)
+{
+  return static_cast<std::size_t>(share * static_cast<double>(children));
+}
 } // namespace
+
+void vpImageScore::setModel()
+{
+  m_maker.reset();
+  m_sphere.reset();
+  m_level = 0;
+}
+
+// The CPU draws its depth buffers, so that they may be drawn in any thread.
+void vpImageScore::makeSphere()
+{
+  vpViewSphereOptions options;
+  options.points = spherePoints;
+  const bool isConvex = m_looks.model().isConvex();
+  m_sphere = std::make_unique<vpViewSphere>(
+      m_looks.pointer(), options,
+      isConvex ? nullptr : vpModelRenderer::create(m_looks.pointer(), vpModelRenderer::CPU));
+  m_score.setSphere(m_sphere.get());
+  m_aligner.setSphere(m_sphere.get());
+  m_contourScan.setSphere(m_sphere.get());
+}
+
+void vpImageScore::setLevel(unsigned int level)
+{
+  m_level = level;
+  m_score.setLevel(level);
+  m_aligner.setLevel(level);
+  m_contourScan.setLevel(level);
+}
 
 vpViewSphere &vpImageScore::sphere()
 {
+  m_maker.reset();
   if (!m_sphere) {
-    vpViewSphereOptions options;
-    options.points = spherePoints;
-    const bool isConvex = m_looks.model().isConvex();
-    m_sphere = std::make_unique<vpViewSphere>(
-        m_looks.pointer(), options,
-        isConvex ? nullptr : vpModelRenderer::create(m_looks.pointer(), m_looks.preference()));
-    m_score.setSphere(m_sphere.get());
-    m_aligner.setSphere(m_sphere.get());
-    m_contourScan.setSphere(m_sphere.get());
+    makeSphere();
   }
+  setLevel(m_sphere->options().level);
   return *m_sphere;
+}
+
+void vpImageScore::prepare(bool isTimed)
+{
+  if (!isTimed) {
+    m_maker.reset();
+    if (m_sphere) {
+      setLevel(m_sphere->options().level);
+    }
+    return;
+  }
+  if (!m_sphere) {
+    makeSphere();
+  }
+  if (!m_maker) {
+    for (std::size_t i = 0; i < vpViewSphere::size(0); ++i) { // Of which some view is always at hand.
+      m_sphere->make(i);
+    }
+    m_maker = std::make_unique<vpViewMaker>(*m_sphere);
+  }
+  setLevel(m_maker->level());
 }
 
 void vpImageScore::setFrame(const vpFrameContext &frame)
@@ -65,9 +116,25 @@ void vpImageScore::setFrame(const vpFrameContext &frame)
   }
 }
 
+bool vpImageScore::setFrameInTime(const vpFrameContext &frame)
+{
+  if (m_maker && m_level < leastLevel) {
+    frame.deadline.notePutOff(vpPutOff::SEARCH);
+    return false;
+  }
+  if (frame.deadline.putsOff(vpPutOff::SEARCH)) {
+    return false;
+  }
+  const vpTimedWork work(frame.deadline, vpPutOff::SEARCH);
+  setFrame(frame);
+  return true;
+}
+
 void vpImageScore::setRegion(const vpFrameContext &frame, const vpImageRegion &region)
 {
-  sphere();
+  if (!m_sphere) {
+    sphere();
+  }
   const vpStopwatch stage(frame.timings.map);
   const vpCueFrame &image = frame.image;
   m_distances.compute(image, region);
@@ -96,16 +163,20 @@ void vpImageScore::weigh(bool byEdges)
 
 double vpImageScore::insideShare(const vpHomogeneousMatrix &cMo)
 {
+  if (!m_sphere) {
+    sphere();
+  }
   vpPoseScore outline; // What the score looks at stays as it is.
-  outline.setSphere(&sphere());
+  outline.setSphere(m_sphere.get());
+  outline.setLevel(m_level);
   outline.setImage(nullptr, nullptr, nullptr, m_looks.camera(), m_looks.width(), m_looks.height());
   return outline(cMo).inside;
 }
 
-void vpImageScore::settle(vpPoseSearch &search)
+void vpImageScore::settle(vpPoseSearch &search, double share)
 {
   if (!m_cues.knowsColors()) {
-    settleByScore(search);
+    settleByScore(search, share);
     return;
   }
   if (m_situation.mustConfirm || m_knowledge.hasUnsteadyColors()) {
@@ -115,7 +186,7 @@ void vpImageScore::settle(vpPoseSearch &search)
   search.alignByColors(m_aligner, 0.08, 1);
   keepSettled(search);
   search.alignByColors(m_aligner, 0.05, 2);
-  annealSettled(search, [&] {
+  annealSettled(search, childrenOf(share), [&] {
     search.alignByColors(m_aligner, 0.05, 1);
     if (m_cues.uses(vpCueSet::EDGE)) {
       search.alignByEdges(m_aligner, 2);
@@ -123,11 +194,11 @@ void vpImageScore::settle(vpPoseSearch &search)
   });
 }
 
-void vpImageScore::settleByScore(vpPoseSearch &search) const
+void vpImageScore::settleByScore(vpPoseSearch &search, double share) const
 {
   if (!m_cues.uses(vpCueSet::EDGE)) {
     search.score();
-    search.anneal(vpPoseSearch::near(), keptParents, children, layers);
+    search.anneal(vpPoseSearch::near(), keptParents, childrenOf(share), layers);
     return;
   }
   search.keepCopies(); // Where edges are many, the nearest ones may lead away from the object's.
@@ -135,7 +206,7 @@ void vpImageScore::settleByScore(vpPoseSearch &search) const
   keepSettled(search);
   search.alignByEdges(m_aligner, 2);
   search.score();
-  search.anneal(aroundSettled, keptParents, children, layers - 1);
+  search.anneal(aroundSettled, keptParents, childrenOf(share), layers - 1);
 }
 
 END_VISP_NAMESPACE

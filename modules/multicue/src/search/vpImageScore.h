@@ -8,6 +8,7 @@
 #include "search/vpContourScan.h"
 #include "search/vpPoseScore.h"
 #include "search/vpPoseSearch.h"
+#include "search/vpViewMaker.h"
 
 #include <visp3/cues/vpColorOddsMap.h>
 #include <visp3/cues/vpOrientedDistanceMap.h>
@@ -27,13 +28,18 @@ public:
   }
 
   //! Another model.
-  void setModel() { m_sphere.reset(); }
+  void setModel();
+  //! Before a frame. \param isTimed It has a deadline: views are made beside the frames from now on, and those that are
+  //! not made yet are done without. Otherwise each is made when first looked at.
+  void prepare(bool isTimed);
   void forgetImages() { m_wholeFrame = 0; }
-  //! Views from all around; made when first needed.
+  //! Views from all around, for one who makes those that are missing.
   vpViewSphere &sphere();
 
   //! Looks at all of the image.
   void setFrame(const vpFrameContext &frame);
+  //! The same for a search. \return False where it is put off: too little time is left, or too few views are made.
+  bool setFrameInTime(const vpFrameContext &frame);
   //! At a part of it.
   void setRegion(const vpFrameContext &frame, const vpImageRegion &region);
   //! True where all of this image is looked at already.
@@ -48,20 +54,26 @@ public:
   static constexpr double insideToConfirm = 0.4; //!< Such a share tells the pose.
 
   //! From poses drawn far and wide to a few that are as good as they can be told from views made beforehand.
-  void settle(vpPoseSearch &search);
-  void settleByScore(vpPoseSearch &search) const;
+  //! \param share Of the poses that are drawn around the best ones on the way.
+  void settle(vpPoseSearch &search, double share = 1.);
+  void settleByScore(vpPoseSearch &search, double share = 1.) const;
 
   const vpOrientedDistanceMap &distances() const { return m_distances; }
   const vpColorOddsMap &odds() const { return m_odds; }
   vpContourScan &contourScan() { return m_contourScan; }
 
 private:
+  void makeSphere();
+  void setLevel(unsigned int level);
+
   vpModelLooks &m_looks;
   vpCueSet &m_cues;
   vpObjectKnowledge &m_knowledge;
   const vpSituation &m_situation;
 
   std::unique_ptr<vpViewSphere> m_sphere;
+  std::unique_ptr<vpViewMaker> m_maker; // Of the sphere, so that it ends before it.
+  unsigned int m_level = 0;             // The finest one that may be looked at.
   vpOrientedDistanceMap m_distances;
   vpColorOddsMap m_odds;
   vpPoseScore m_score;

@@ -32,14 +32,20 @@ public:
     double total = -1.;   // Weighted mean of the parts that there are.
   };
 
-  void setSphere(vpViewSphere *sphere) { m_sphere = sphere; }
+  void setSphere(vpViewSphere *sphere)
+  {
+    m_sphere = sphere;
+    m_level = sphere->options().level;
+  }
+  // The finest one whose views are looked at.
+  void setLevel(unsigned int level) { m_level = level; }
   // The image products that are looked at; null for those that there are not.
   void setImage(const vpOrientedDistanceMap *edges, const vpColorOddsMap *colors, const vpSurfaceMemory *surface,
                 const vpCameraParameters &cam, unsigned int width, unsigned int height);
   // How much each part counts in the total.
   void setWeights(double edges, double color, double surface) { m_weights = {{edges, color, surface}}; }
-  Value operator()(const vpHomogeneousMatrix &cMo) const { return at(cMo, m_sphere->options().level); }
-  // level: of the sphere whose views are looked at. A coarser one has fewer to be made.
+  Value operator()(const vpHomogeneousMatrix &cMo) const { return at(cMo, m_level); }
+  // The same by a coarser level, of which fewer views have to be made.
   Value at(const vpHomogeneousMatrix &cMo, unsigned int level) const;
 
 private:
@@ -50,6 +56,7 @@ private:
   void combine(const Sums &sums, const vpHomogeneousMatrix &cMo, Value &value) const;
 
   vpViewSphere *m_sphere = nullptr;
+  unsigned int m_level = 0;
   const vpOrientedDistanceMap *m_edges = nullptr;
   const vpColorOddsMap *m_colors = nullptr;
   const vpSurfaceMemory *m_surface = nullptr;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 BEGIN_VISP_NAMESPACE
 
@@ -100,12 +101,28 @@ void vpPoseSearch::alignByEdges(const vpContourAligner &aligner, unsigned int st
 template <typename Step> void vpPoseSearch::align(unsigned int steps, Step &&step)
 {
   for (vpPoseCandidate &candidate : m_candidates) {
+    if (isOver()) {
+      return;
+    }
     Eigen::Isometry3d pose = vpPoseExponential::toEigen(candidate.cMo);
     for (unsigned int i = 0; i < steps && step(pose); ++i) {
     }
     if (pose.matrix().allFinite()) {
       candidate.cMo = vpPoseExponential::fromEigen(pose);
     }
+  }
+}
+
+bool vpPoseSearch::isOver()
+{
+  m_isCutShort = m_isCutShort || m_limit.isOver();
+  return m_isCutShort;
+}
+
+void vpPoseSearch::mix()
+{
+  if (m_limit.isLimited()) {
+    std::shuffle(m_candidates.begin(), m_candidates.end(), std::mt19937_64(m_seed));
   }
 }
 
@@ -117,7 +134,7 @@ void vpPoseSearch::addCopies()
 
 void vpPoseSearch::score(std::size_t first)
 {
-  for (std::size_t i = first; i < m_candidates.size(); ++i) {
+  for (std::size_t i = first; i < m_candidates.size() && !isOver(); ++i) {
     m_candidates[i].score = scoreOf(m_candidates[i].cMo);
   }
 }
@@ -132,10 +149,10 @@ void vpPoseSearch::scatterAround(const Eigen::Vector3d &centre, const vpHomogene
 void vpPoseSearch::scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number)
 {
   for (const vpHomogeneousMatrix &start : starts) {
-    m_candidates.push_back({start, 0.});
+    m_candidates.push_back({start});
   }
   for (std::size_t i = 0; i < number && !starts.empty(); ++i) {
-    m_candidates.push_back({draw(starts[i % starts.size()], spread), 0.});
+    m_candidates.push_back({draw(starts[i % starts.size()], spread)});
   }
 }
 
@@ -157,7 +174,7 @@ void vpPoseSearch::keepBest(std::size_t keep, const Spread &apart)
                    [](const vpPoseCandidate &a, const vpPoseCandidate &b) { return a.score > b.score; });
   std::vector<vpPoseCandidate> kept;
   for (const vpPoseCandidate &candidate : m_candidates) {
-    if (kept.size() == keep) {
+    if (kept.size() == keep || !(candidate.score > -HUGE_VAL)) {
       break;
     }
     const bool isNew = std::none_of(kept.begin(), kept.end(), [&](const vpPoseCandidate &other) {
@@ -175,7 +192,7 @@ std::size_t vpPoseSearch::breed(const Spread &spread, std::size_t keep, std::siz
   keepBest(keep, spread);
   const std::size_t parents = m_candidates.size();
   for (std::size_t i = 0; i < number && parents > 0; ++i) {
-    m_candidates.push_back({draw(m_candidates[i % parents].cMo, spread.halved()), 0.});
+    m_candidates.push_back({draw(m_candidates[i % parents].cMo, spread.halved())});
   }
   return parents;
 }

@@ -2,6 +2,7 @@
 #ifndef vpPoseSearch_h
 #define vpPoseSearch_h
 
+#include "frame/vpFrameDeadline.h"
 #include "search/vpContourAligner.h"
 #include "search/vpPoseScore.h"
 
@@ -20,7 +21,7 @@ BEGIN_VISP_NAMESPACE
 struct vpPoseCandidate
 {
   vpHomogeneousMatrix cMo;
-  double score = 0.;
+  double score = -HUGE_VAL; // Nobody looked at it.
 };
 
 /*
@@ -61,6 +62,10 @@ public:
   vpPoseSearch(const vpPoseScore &score, const vpTrackedModel &model, std::uint64_t seed);
   vpPoseSearch(const Score &score, const vpTrackedModel &model, std::uint64_t seed);
 
+  // Until then poses are aligned and looked at. Those that nobody looked at are never among the best.
+  void setLimit(const vpTimeLimit &limit) { m_limit = limit; }
+  // True where poses were left out.
+  bool isCutShort() const { return m_isCutShort; }
   // Poses of the first layer, without a score; the starts are among them.
   void scatter(const std::vector<vpHomogeneousMatrix> &starts, const Spread &spread, std::size_t number);
   // Likewise about several poses, of each as many as it has a share in all weights.
@@ -72,6 +77,8 @@ public:
   // Orientations all around, at a point of the line of sight through a pixel; see spread for depth and translation.
   void scatterAround(const Eigen::Vector3d &centre, const vpHomogeneousMatrix &cMo, const Spread &spread,
                      std::size_t number);
+  // Where there is a limit, brings the candidates into any order: so many of each source are left out.
+  void mix();
   // Keeps all candidates as they are, to be added again after they were aligned.
   void keepCopies() { m_copies = m_candidates; }
   void addCopies();
@@ -95,6 +102,7 @@ public:
 private:
   template <typename Step> void align(unsigned int steps, Step &&step);
   double scoreOf(const vpHomogeneousMatrix &cMo);
+  bool isOver();
   vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, const Spread &spread);
   double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
 
@@ -110,6 +118,8 @@ private:
   std::vector<vpHomogeneousMatrix> m_priorPoses;
   Spread m_priorSpread;
   Tail m_priorTail = Tail::LIGHT;
+  vpTimeLimit m_limit;
+  bool m_isCutShort = false;
 };
 
 END_VISP_NAMESPACE

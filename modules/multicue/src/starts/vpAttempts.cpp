@@ -42,6 +42,10 @@ void vpAttempts::setOnly(const vpHomogeneousMatrix &cMo, double explained)
 
 bool vpAttempts::attempt(const vpFrameContext &frame, const vpStart &start)
 {
+  if (hasBest() && frame.deadline.putsOff(vpPutOff::STARTS)) {
+    return false;
+  }
+  const vpTimedWork work(frame.deadline, vpPutOff::STARTS);
   vpStart likely = start;
   if (start.way == vpStart::BY_COLORS || start.way == vpStart::FINE) {
     likely.cMo = m_alike.nearest(start.cMo);
@@ -56,7 +60,7 @@ bool vpAttempts::attemptBest(const vpFrameContext &frame, vpPoseSearch &search, 
   bool isEnough = false;
   for (const vpPoseCandidate &candidate : search.candidates()) {
     isEnough = attempt(frame, {candidate.cMo, byColors ? vpStart::BY_COLORS : vpStart::FINE});
-    if (isEnough || frame.budget.isSpent()) {
+    if (isEnough) {
       break;
     }
   }

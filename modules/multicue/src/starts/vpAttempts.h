@@ -32,7 +32,8 @@ public:
 
   //! A frame begins.
   void begin();
-  //! Estimates and judges. \return True where the pose is enough, and no other one has to be looked for.
+  //! Estimates and judges; where there is a pose already, only if that ends in time. \return True where the pose is
+  //! enough, and no other one has to be looked for.
   bool attempt(const vpFrameContext &frame, const vpStart &start);
   //! The likeliest poses of a search. \return True where one of them is enough.
   bool attemptBest(const vpFrameContext &frame, vpPoseSearch &search, bool byColors = true);

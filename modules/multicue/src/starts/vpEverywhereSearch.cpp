@@ -9,11 +9,13 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 const std::size_t drawnOfDetector = 300;
-const std::size_t wideNumber = 2000;
+const double wideNumber = 2000.;
 const double scannedShare = 1.5; // Orientations that are looked for in all of the image, for each pose that is drawn.
 const double keptShare = 0.1;    // Likewise, of those the ones that fit best.
-const std::size_t aroundFound = 50; // Each of the best poses of the frames before.
+const double aroundFound = 50.;  // Each of the best poses of the frames before.
 const std::size_t mostBlobs = 4;
+// Of what is left of a frame with a deadline: the best poses have to be estimated, too.
+const double shareOfSearch = 0.5;
 // Side of a window that the object fills, in projected diameters.
 const double windowShare = 0.5;
 const double spreadPerFrame = 0.15; // Of the spread near the expected pose.
@@ -22,7 +24,7 @@ const double depthPrior = 0.2; // Of a distance that is e times what it was.
 // About poses at the distance that the object had.
 const vpPoseSearch::Spread atDistance = {0.05, 0.15, 0.04};
 const std::size_t atDistanceParents = 24;
-const std::size_t atDistanceChildren = 200;
+const double atDistanceChildren = 200.;
 const unsigned int atDistanceLayers = 2;
 const std::size_t atDistanceAttempts = 2;
 
@@ -43,37 +45,40 @@ vpHomogeneousMatrix turnedAt(const vpHomogeneousMatrix &place, const vpHomogeneo
 
 void vpEverywhereSearch::search(const vpFrameContext &frame)
 {
-  if (searchDetected(frame) || frame.budget.isSpent()) {
+  if (searchDetected(frame) || !m_score.setFrameInTime(frame)) {
     return;
   }
   // The object may come back in other light, or show a side whose colours were never seen: every second search is one
   // by edges.
   const bool byEdges = m_cues.uses(vpCueSet::EDGE) && m_situation.framesSinceLoss % 2 == 0;
-  const double begin = frame.budget.elapsed();
-  const std::size_t number = frame.budget.number(wideNumber);
-  m_score.setFrame(frame);
+  m_size.begin(frame.deadline, shareOfSearch);
   const auto score = [this](const vpHomogeneousMatrix &cMo) {
     return m_score(cMo).total - depthPrior * m_whereabouts.depthChange(cMo);
   };
   vpPoseSearch search(score, m_looks.model(), frame.streams.searches++);
+  search.setLimit(m_size.limit());
   search.setSymmetries(m_symmetries.get());
-  scatter(frame, search, number);
-  scatterScanned(frame, search, number);
+  scatter(frame, search);
+  scatterScanned(frame, search);
+  search.mix();
   if (byEdges) {
     m_score.weigh(true);
-    m_score.settleByScore(search);
+    m_score.settleByScore(search, m_size.share());
     m_score.weigh(false);
   } else {
-    m_score.settle(search);
+    m_score.settle(search, m_size.share());
   }
-  frame.budget.learn(number, begin, frame.budget.elapsed() - begin);
+  m_size.end(frame.deadline);
+  if (search.isCutShort()) {
+    frame.deadline.notePutOff(vpPutOff::SEARCH);
+  }
   const std::vector<vpHomogeneousMatrix> atDepth = atTrustedDepth(search.candidates());
   const bool isEnough = m_attempts.attemptBest(frame, search, !byEdges);
   m_situation.searched.clear();
   for (const vpPoseCandidate &candidate : search.candidates()) {
     m_situation.searched.push_back(candidate.cMo);
   }
-  if (!isEnough && !frame.budget.isSpent()) {
+  if (!isEnough && !frame.deadline.putsOff(vpPutOff::STARTS)) {
     attemptAtDistance(frame, atDepth, byEdges);
   }
   m_situation.tracks.noteSearch();
@@ -99,11 +104,12 @@ void vpEverywhereSearch::attemptAtDistance(const vpFrameContext &frame, const st
                                            bool byEdges)
 {
   vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
+  search.setLimit(frame.deadline.after(shareOfSearch));
   search.setSymmetries(m_symmetries.get());
   search.scatter(poses, atDistance, 0);
   m_score.weigh(byEdges);
   search.score();
-  search.anneal(atDistance, atDistanceParents, atDistanceChildren, atDistanceLayers);
+  search.anneal(atDistance, atDistanceParents, m_size.of(atDistanceChildren), atDistanceLayers);
   m_score.weigh(false);
   search.keepBest(atDistanceAttempts, vpPoseSearch::same());
   m_attempts.attemptBest(frame, search, false);
@@ -111,7 +117,7 @@ void vpEverywhereSearch::attemptAtDistance(const vpFrameContext &frame, const st
 
 void vpEverywhereSearch::turnByHalf(const vpFrameContext &frame)
 {
-  if (m_attempts.best().explained < vpJudgedPose::leastExplained || frame.budget.isSpent()) {
+  if (m_attempts.best().explained < vpJudgedPose::leastExplained) {
     return;
   }
   const vpHomogeneousMatrix best = m_attempts.best().cMo;
@@ -144,8 +150,9 @@ vpEverywhereSearch::atTrustedDepth(const std::vector<vpPoseCandidate> &candidate
 
 // Six numbers are too many to draw all of them far and wide: far places have likely orientations, and likely places all
 // orientations.
-void vpEverywhereSearch::scatter(const vpFrameContext &frame, vpPoseSearch &search, std::size_t number)
+void vpEverywhereSearch::scatter(const vpFrameContext &frame, vpPoseSearch &search)
 {
+  const std::size_t number = m_size.of(wideNumber);
   const vpPoseSearch::Spread near = vpPoseSearch::near();
   const vpPoseSearch::Spread wide = spreadWhileLost(m_situation.framesSinceLoss);
   const auto [before, moved, movedHalf] = m_whereabouts.fromOrigin();
@@ -164,12 +171,12 @@ void vpEverywhereSearch::scatter(const vpFrameContext &frame, vpPoseSearch &sear
     }
   }
   for (const vpHomogeneousMatrix &cMo : m_situation.searched) {
-    search.scatter({cMo}, near, aroundFound);
+    search.scatter({cMo}, near, m_size.of(aroundFound));
   }
 }
 
 // Likely orientations where their contours are found in the image: too many to draw the place of each as well.
-void vpEverywhereSearch::scatterScanned(const vpFrameContext &frame, vpPoseSearch &search, std::size_t number)
+void vpEverywhereSearch::scatterScanned(const vpFrameContext &frame, vpPoseSearch &search)
 {
   const double depth = m_whereabouts.depthOfOrigin();
   if (!m_cues.uses(vpCueSet::EDGE) || !(depth > 0.)) {
@@ -179,13 +186,16 @@ void vpEverywhereSearch::scatterScanned(const vpFrameContext &frame, vpPoseSearc
   vpContourScan &scan = m_score.contourScan();
   scan.setImage(m_score.distances(), image.camera(), image.width(), image.height(),
                 0.5 * image.camera().get_px() * m_looks.model().diameter() / depth);
-  const auto share = [number](double of) { return static_cast<std::size_t>(of * static_cast<double>(number)); };
+  const auto share = [this](double of) { return m_size.of(of * wideNumber); };
   vpPoseSearch drawn(m_score.score(), m_looks.model(), frame.streams.searches++);
   const auto [before, moved, movedHalf] = m_whereabouts.fromOrigin();
   const vpPoseSearch::Spread wide = spreadWhileLost(m_situation.framesSinceLoss);
   drawn.scatter({before, moved, movedHalf}, {0., wide.rotation, atPlace.depth}, share(scannedShare));
   std::vector<vpPoseCandidate> found;
   for (const vpPoseCandidate &candidate : drawn.candidates()) {
+    if (m_size.limit().isOver()) {
+      break;
+    }
     const Eigen::Isometry3d cMo = vpPoseExponential::toEigen(candidate.cMo);
     const vpContourScan::Find find = scan.find(cMo);
     found.push_back({vpPoseExponential::fromEigen(scan.movedTo(find, cMo)), find.share});

@@ -2,6 +2,7 @@
 #ifndef vpEverywhereSearch_h
 #define vpEverywhereSearch_h
 
+#include "frame/vpSearchSize.h"
 #include "search/vpBlobFinder.h"
 #include "starts/vpAttempts.h"
 
@@ -34,8 +35,8 @@ private:
   };
 
   bool searchDetected(const vpFrameContext &frame);
-  void scatter(const vpFrameContext &frame, vpPoseSearch &search, std::size_t number);
-  void scatterScanned(const vpFrameContext &frame, vpPoseSearch &search, std::size_t number);
+  void scatter(const vpFrameContext &frame, vpPoseSearch &search);
+  void scatterScanned(const vpFrameContext &frame, vpPoseSearch &search);
   std::vector<Place> placesOfColors(const vpFrameContext &frame);
   std::vector<vpHomogeneousMatrix> atTrustedDepth(const std::vector<vpPoseCandidate> &candidates) const;
   void attemptAtDistance(const vpFrameContext &frame, const std::vector<vpHomogeneousMatrix> &poses, bool byEdges);
@@ -51,6 +52,7 @@ private:
   vpSituation &m_situation;
   vpAttempts &m_attempts;
   vpBlobFinder m_blobs;
+  vpSearchSize m_size;
 };
 
 END_VISP_NAMESPACE

@@ -21,6 +21,9 @@ public:
   //! \param isNear Around the expected pose, else in all of the image. \return True where one is enough.
   bool search(const vpFrameContext &frame, bool isNear)
   {
+    if (frame.deadline.putsOff(vpPutOff::KEYFRAMES)) {
+      return false;
+    }
     vpKeyframes::Where where;
     where.expected = m_motion.expected();
     vpImageRegion region(0, 0, static_cast<int>(frame.image.width()), static_cast<int>(frame.image.height()));
@@ -29,7 +32,7 @@ public:
       where.shift = nearShift;
       where.turn = nearTurn;
     }
-    const std::vector<vpKeyframePose> found = m_knowledge.keyframes.find(frame.image, region, where);
+    const std::vector<vpKeyframePose> found = find(frame, region, where);
     for (const vpKeyframePose &pose : found) {
       m_knowledge.mostAgreeing = std::max(m_knowledge.mostAgreeing, pose.agreeing);
     }
@@ -40,6 +43,13 @@ public:
   }
 
 private:
+  std::vector<vpKeyframePose> find(const vpFrameContext &frame, const vpImageRegion &region,
+                                   const vpKeyframes::Where &where)
+  {
+    const vpTimedWork work(frame.deadline, vpPutOff::KEYFRAMES);
+    return m_knowledge.keyframes.find(frame.image, region, where);
+  }
+
   static constexpr double nearShift = 0.5; // Diameters.
   static constexpr double nearTurn = 1.;   // Radians.
 

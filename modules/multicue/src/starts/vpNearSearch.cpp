@@ -11,37 +11,52 @@ const std::size_t scoredNumber = 400; // Where colours do not help.
 // 2.5 it was 74 %.
 const double widerFactor = 2.5;
 const std::size_t modeNumber = 10; // Around each mode of the particles.
+// Of what is left of a frame with a deadline: the best poses have to be estimated, too.
+const double shareOfSearch = 0.4;
 // Turns of the object that are tried, radians.
 const double angleOfTurn = 0.35;
 } // namespace
 
 void vpNearSearch::search(const vpFrameContext &frame)
 {
-  const vpHomogeneousMatrix &expected = m_motion.expected();
-  const vpPoseSearch::Spread near = vpPoseSearch::near();
-  const vpPoseSearch::Spread wider = near.grown(widerFactor);
-  m_score.setFrame(frame);
-  vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
-  search.setSymmetries(m_symmetries.get());
-  search.setPrior({expected}, near, vpPoseSearch::Tail::HEAVY);
-  search.scatter({expected}, near, nearNumber);
-  search.scatter({expected}, wider, nearNumber);
-  const vpHomogeneousMatrix bMo = m_looks.centreFrame().inverse();
-  for (const vpPoseMode &mode : m_particles.modes()) { // What the frames before left open.
-    search.scatter({mode.cMo * bMo}, vpPoseSearch::same(), modeNumber);
-  }
-  m_score.settle(search);
-  if (m_attempts.attemptBest(frame, search) || frame.budget.isSpent()) {
+  if (!m_score.setFrameInTime(frame)) {
     return;
   }
-  // Colours led away from the object, or there are none.
-  vpPoseSearch again(m_score.score(), m_looks.model(), frame.streams.searches++);
-  again.setSymmetries(m_symmetries.get());
-  again.setPrior({expected}, near, vpPoseSearch::Tail::HEAVY);
-  again.scatter({expected}, near, scoredNumber);
-  again.scatter({expected}, wider, scoredNumber);
-  m_score.settleByScore(again);
-  m_attempts.attemptBest(frame, again, false);
+  const auto settle = [this](vpPoseSearch &search, double share) { m_score.settle(search, share); };
+  const auto settleByScore = [this](vpPoseSearch &search, double share) { m_score.settleByScore(search, share); };
+  // Colours may lead away from the object, or there are none.
+  if (!draw(frame, nearNumber, m_size, settle, true) && !frame.deadline.putsOff(vpPutOff::SEARCH)) {
+    draw(frame, scoredNumber, m_sizeByScore, settleByScore, false);
+  }
+}
+
+// \param number From each spread. \return True where one of the best poses is enough.
+bool vpNearSearch::draw(const vpFrameContext &frame, std::size_t number, vpSearchSize &size, const Settle &settle,
+                        bool byColors)
+{
+  const vpHomogeneousMatrix &expected = m_motion.expected();
+  const vpPoseSearch::Spread near = vpPoseSearch::near();
+  size.begin(frame.deadline, shareOfSearch);
+  const std::size_t drawn = size.of(static_cast<double>(number));
+  vpPoseSearch search(m_score.score(), m_looks.model(), frame.streams.searches++);
+  search.setLimit(size.limit());
+  search.setSymmetries(m_symmetries.get());
+  search.setPrior({expected}, near, vpPoseSearch::Tail::HEAVY);
+  search.scatter({expected}, near, drawn);
+  search.scatter({expected}, near.grown(widerFactor), drawn);
+  if (byColors) { // What the frames before left open.
+    const vpHomogeneousMatrix bMo = m_looks.centreFrame().inverse();
+    for (const vpPoseMode &mode : m_particles.modes()) {
+      search.scatter({mode.cMo * bMo}, vpPoseSearch::same(), modeNumber);
+    }
+  }
+  search.mix();
+  settle(search, size.share());
+  size.end(frame.deadline);
+  if (search.isCutShort()) {
+    frame.deadline.notePutOff(vpPutOff::SEARCH);
+  }
+  return m_attempts.attemptBest(frame, search, byColors);
 }
 
 void vpNearSearch::turn(const vpFrameContext &frame)

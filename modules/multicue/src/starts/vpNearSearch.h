@@ -2,6 +2,7 @@
 #ifndef vpNearSearch_h
 #define vpNearSearch_h
 
+#include "frame/vpSearchSize.h"
 #include "starts/vpAttempts.h"
 
 BEGIN_VISP_NAMESPACE
@@ -23,12 +24,17 @@ public:
   void turn(const vpFrameContext &frame);
 
 private:
+  using Settle = std::function<void(vpPoseSearch &, double)>;
+  bool draw(const vpFrameContext &frame, std::size_t number, vpSearchSize &size, const Settle &settle, bool byColors);
+
   const vpModelLooks &m_looks;
   const vpObjectMotion &m_motion;
   vpImageScore &m_score;
   const vpTrackerSymmetries &m_symmetries;
   const vpTrackerParticles &m_particles;
   vpAttempts &m_attempts;
+  vpSearchSize m_size;
+  vpSearchSize m_sizeByScore;
 };
 
 END_VISP_NAMESPACE

@@ -288,7 +288,7 @@ public:
   /*!
     Chooses the cues, and nothing else after setPreset(); may be called between frames. With a tracker that was made
     without a type and got no preset, these are the cues of a tracker made with this type: prediction, search and its
-    budget are off, but where setPrediction(), setSearch(), setSearchBudget() or a file's keys asked for them.
+    budget are off, but where setPrediction(), setSearch(), setFrameDeadline() or a file's keys asked for them.
     \param type Sum of vpTrackerType values. \throw vpException for other values, and for points where the library was
     built without OpenCV's video, features2d or calib3d module.
   */
@@ -344,23 +344,25 @@ public:
   /*!
     Looks for a lost object in all of the image and turned any way, see \ref multicue_search; with several cues, best
     with all three and with setPrediction(). After a loss, the state is TRACKING again only where several frames on end
-    confirm a pose. In each frame in which the object is lost some hundred poses are judged and up to four estimated: it
-    takes ten to thirty times as long as others, 50 to 170 ms with 640 x 480 pixels on one core of a shared server,
-    where setSearchBudget() does not limit it. On by default, off in a tracker that was made with a type. With edges
-    alone, too, state and score are then of what the pose explains (\ref multicue_search_edges). \param flag On or off;
-    may change between frames, and init() begins anew.
+    confirm a pose. A frame in which the object is lost takes ten to thirty times as long as others, 50 to 170 ms with
+    640 x 480 pixels on one core of a shared server, where setFrameDeadline() does not limit it. On by default, off in a
+    tracker that was made with a type. With edges alone, too, state and score are then of what the pose explains (\ref
+    multicue_search_edges). \param flag On or off; may change between frames, and init() begins anew.
   */
   void setSearch(bool flag);
   /*!
-    Limits the time of frames that look for the object, see setSearch(). The number of poses that are looked at
-    everywhere, 100 to 2000, follows the time that the last such frames took, and nothing more is begun once the time is
-    spent; what was begun is ended, so that single frames take longer. With fewer poses a lost object may be found
-    later. The same images then no longer give the same poses to the last bit. A rough start is not limited.
-    \param milliseconds Of a frame, [0, 10000]; 0: no limit. Default 33, and 0 in a tracker that was made with a type.
+    When a call of track() has to end, see \ref multicue_deadline. Work is done in the order of its worth: the expected
+    pose is followed and judged first, then other starts, then searches, which go on in the next frame from what they
+    found. What would not end in time is not begun, and vpMbTrackingResult::putOff tells it. With a deadline the same
+    images no longer give the same poses to the last bit, and a lost object may be found some frames later. The views
+    that searches look at are then made by a thread of low priority from the start on; until the first of them are there
+    nothing is searched for. Not limited are a rough start and the search of the frames after one that was refused.
+    \param milliseconds From the call on, [0, 10000]; 0: none. Default 33, the time between two images of a camera with
+    30 of them in a second, and 0 in a tracker that was made with a type.
     \throw vpException where it is outside.
   */
-  void setSearchBudget(double milliseconds);
-  double getSearchBudget() const;
+  void setFrameDeadline(double milliseconds);
+  double getFrameDeadline() const;
   void setKltOpencv(const vpKltOpencv &klt) override;
   vpKltOpencv getKltOpencv() const override;
   void setKltMaskBorder(const unsigned int &border) override;

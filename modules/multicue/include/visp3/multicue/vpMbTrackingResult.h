@@ -6,6 +6,7 @@
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpMatrix.h>
 #include <visp3/multicue/vpPoseHypotheses.h>
+#include <visp3/multicue/vpPutOff.h>
 #include <visp3/multicue/vpTrackingState.h>
 #include <visp3/multicue/vpTrackingTimings.h>
 
@@ -82,6 +83,8 @@ struct vpMbTrackingResult
   std::vector<UnobservedMotion> unobserved;
   std::vector<vpPoseHypothesis> hypotheses; //!< vpMbMultiCueTracker::getPoseHypotheses().
   vpTrackingTimings timings;                //!< vpMbMultiCueTracker::getTimings(), milliseconds.
+  //! What the frame left for the ones after, to end in time: vpMbMultiCueTracker::setFrameDeadline(). Mostly nothing.
+  std::vector<vpPutOff> putOff;
 
   /** @name Saving
     As JSON: an object with the members' names, matrices as lists of rows, states and reasons as their names, null for

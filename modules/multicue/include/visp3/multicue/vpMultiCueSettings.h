@@ -75,7 +75,7 @@ struct VISP_EXPORT vpMultiCueSettings
   vpPoseKalmanSettings prediction; //!< How the object is taken to move.
   double frameInterval = 1. / 30.; //!< Time between two images, seconds, > 0.
   bool searches = false;           //!< Look for a lost object everywhere, see vpMbMultiCueTracker::setSearch().
-  double searchBudget = 0.;        //!< See vpMbMultiCueTracker::setSearchBudget(), milliseconds, [0, 10000].
+  double frameDeadline = 0.;       //!< See vpMbMultiCueTracker::setFrameDeadline(), milliseconds, [0, 10000].
   //! Poses that look alike: "none", "find" (vpFindSymmetries()) or the path of a models_info.json; empty: as
   //! vpMbMultiCueTracker::setSymmetries() says.
   std::string symmetries;
@@ -99,7 +99,7 @@ struct VISP_EXPORT vpMultiCueSettings
   //! What a tracker of edges starts with, the preset FAST: edges of the texture are used.
   vpMultiCueSettings() { view.textureEdges = true; }
   //! Sets cues, edge.candidates, hypotheses, particles, color, predicts, prediction, predictsRange, searches and
-  //! searchBudget as the preset has them. The others stay. \throw vpException where the preset is none of the known
+  //! frameDeadline as the preset has them. The others stay. \throw vpException where the preset is none of the known
   //! ones.
   void setPreset(vpMultiCuePreset preset);
   //! \throw vpException naming the first member out of range.
