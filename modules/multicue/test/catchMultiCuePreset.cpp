@@ -101,8 +101,10 @@ TEST_CASE("An unknown preset is refused with the names of the known ones", "[pre
 TEST_CASE("Each preset has its settings", "[preset]")
 {
   vpMultiCueSettings expected;
+  expected.frameDeadline = 33.;
   CHECK(settingsOf(Preset::FAST) == expected);
 
+  expected.frameDeadline = 0.;
   expected.cues = all;
   expected.predicts = true;
   CHECK(settingsOf(Preset::PETIT2014) == expected);

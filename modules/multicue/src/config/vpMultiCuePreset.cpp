@@ -19,8 +19,8 @@ constexpr std::array<Name, 5> presetNames = {{{vpMultiCuePreset::ROBUST, "robust
                                               {vpMultiCuePreset::TEULIERE2010, "teuliere2010"},
                                               {vpMultiCuePreset::PETIT2014, "petit2014"}}};
 
-// Of a frame that looks for a lost object: the time between two images of a camera with 30 of them in a second.
-constexpr double frameDeadline = 33.; // Milliseconds.
+// Between two images of a camera with 30 of them in a second, for a frame that looks for a lost object.
+constexpr double timeOfImage = 33.; // Milliseconds.
 // [T10]'s potential edges: so many serve better than the default where edges lie close together.
 constexpr unsigned int severalCandidates = 5;
 
@@ -55,7 +55,7 @@ void makeRobust(vpMultiCueSettings &settings)
 {
   fuse(settings);
   settings.searches = true;
-  settings.frameDeadline = frameDeadline;
+  settings.frameDeadline = timeOfImage;
 }
 
 void makeStatic(vpMultiCueSettings &settings)
@@ -125,6 +125,7 @@ void vpMultiCueSettings::setPreset(vpMultiCuePreset preset)
   case vpMultiCuePreset::ROBUST:
     return makeRobust(*this);
   case vpMultiCuePreset::FAST:
+    frameDeadline = timeOfImage;
     return;
   case vpMultiCuePreset::STATIC:
     return makeStatic(*this);

@@ -78,7 +78,7 @@ void vpMultiCueEngine::captureStart(const vpCueFrame &image, const vpHomogeneous
 {
   const vpFrameContext frame = frameOf(image);
   looks.setImage(image);
-  const vpHomogeneousMatrix captured = m_capture.find(frame, cMo, 1.);
+  const vpHomogeneousMatrix captured = m_capture.find(frame, cMo, 1., false);
   m_learning.trust(captured);
   m_learning.learnStart(frame, captured);
   m_captured = captured;

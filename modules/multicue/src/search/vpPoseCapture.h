@@ -2,6 +2,7 @@
 #ifndef vpPoseCapture_h
 #define vpPoseCapture_h
 
+#include "frame/vpFrameDeadline.h"
 #include "hypotheses/vpPoseSolver.h"
 
 #include <visp3/cues/vpCueFrame.h>
@@ -37,10 +38,10 @@ public:
 
   // The given pose where no other one is better by much. reach: how far off the start may be, in usual offsets.
   // settings: how edges are searched for once the pose is right. freeMotions: see vpPoseSolver. stream: of random
-  // numbers.
+  // numbers. deadline: those around the given pose are tried as long as there is time; null: all.
   Result find(const vpCueFrame &frame, const vpTrackedModel &model, const vpHomogeneousMatrix &start, double reach,
               const vpEdgeCueSettings &settings, const vpPoseMatrix6 &freeMotions, const ViewAt &viewAt,
-              std::uint64_t stream);
+              std::uint64_t stream, vpFrameDeadline *deadline);
 
 private:
   Result judge(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &start, double offset,

@@ -357,8 +357,9 @@ public:
     images no longer give the same poses to the last bit, and a lost object may be found some frames later. The views
     that searches look at are then made by a thread of low priority from the start on; until the first of them are there
     nothing is searched for. Not limited are a rough start and the search of the frames after one that was refused.
-    \param milliseconds From the call on, [0, 10000]; 0: none. Default 33, the time between two images of a camera with
-    30 of them in a second, and 0 in a tracker that was made with a type.
+    \param milliseconds From the call on, [0, 10000]; 0: none. 33, the time between two images of a camera with 30 of
+    them in a second, in the presets ROBUST (the default), STATIC and FAST; 0 in the others and in a tracker that was
+    made with a type.
     \throw vpException where it is outside.
   */
   void setFrameDeadline(double milliseconds);
