@@ -10,6 +10,8 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 BEGIN_VISP_NAMESPACE
@@ -151,6 +153,13 @@ const vpSphereView &vpViewSphere::view(std::size_t i)
 {
   make(i);
   return m_views[i];
+}
+
+std::string vpViewSphere::fileName() const
+{
+  std::ostringstream name;
+  name << std::hex << std::setfill('0') << std::setw(16) << fingerprintOf(model(), m_options) << ".views";
+  return name.str();
 }
 
 void vpViewSphere::save(const std::string &file) const

@@ -53,6 +53,8 @@ public:
   vpObjectMotion motion;
   vpTrackerParticles particles;
   vpFrameDeadline deadline;
+  void setViewCache(const std::string &folder) { m_score.setViewCache(folder); }
+  const std::string &viewCache() const { return m_score.viewCache(); }
   vpTrackingTimings timings;
   vpRoughStart rough;
   vpTrackingOutcome outcome;

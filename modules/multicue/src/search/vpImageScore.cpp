@@ -3,6 +3,10 @@
 
 #include "frame/vpStopwatch.h"
 
+#include <visp3/core/vpException.h>
+
+#include <filesystem>
+
 BEGIN_VISP_NAMESPACE
 
 namespace {
@@ -64,9 +68,24 @@ void vpImageScore::makeSphere()
   m_sphere = std::make_unique<vpViewSphere>(
       m_looks.pointer(), options,
       isConvex ? nullptr : vpModelRenderer::create(m_looks.pointer(), vpModelRenderer::CPU));
+  loadViews();
   m_score.setSphere(m_sphere.get());
   m_aligner.setSphere(m_sphere.get());
   m_contourScan.setSphere(m_sphere.get());
+}
+
+// A file that is damaged, or of another version, is as good as none: it is replaced once all views are made.
+void vpImageScore::loadViews()
+{
+  const std::filesystem::path file = std::filesystem::path(m_viewCache) / m_sphere->fileName();
+  std::error_code ignored;
+  if (m_viewCache.empty() || !std::filesystem::exists(file, ignored)) {
+    return;
+  }
+  try {
+    m_sphere->load(file.string());
+  } catch (const vpException &) {
+  }
 }
 
 void vpImageScore::setLevel(unsigned int level)
@@ -103,7 +122,7 @@ void vpImageScore::prepare(bool isTimed)
     for (std::size_t i = 0; i < vpViewSphere::size(0); ++i) { // Of which some view is always at hand.
       m_sphere->make(i);
     }
-    m_maker = std::make_unique<vpViewMaker>(*m_sphere);
+    m_maker = std::make_unique<vpViewMaker>(*m_sphere, m_viewCache);
   }
   setLevel(m_maker->level());
 }

@@ -29,6 +29,9 @@ public:
 
   //! Another model.
   void setModel();
+  //! Where views are kept for the next start of the program; empty: nowhere. Of spheres that are made from now on.
+  void setViewCache(const std::string &folder) { m_viewCache = folder; }
+  const std::string &viewCache() const { return m_viewCache; }
   //! Before a frame. \param isTimed It has a deadline: views are made beside the frames from now on, and those that are
   //! not made yet are done without. Otherwise each is made when first looked at.
   void prepare(bool isTimed);
@@ -64,6 +67,7 @@ public:
 
 private:
   void makeSphere();
+  void loadViews();
   void setLevel(unsigned int level);
 
   vpModelLooks &m_looks;
@@ -71,6 +75,7 @@ private:
   vpObjectKnowledge &m_knowledge;
   const vpSituation &m_situation;
 
+  std::string m_viewCache;
   std::unique_ptr<vpViewSphere> m_sphere;
   std::unique_ptr<vpViewMaker> m_maker; // Of the sphere, so that it ends before it.
   unsigned int m_level = 0;             // The finest one that may be looked at.

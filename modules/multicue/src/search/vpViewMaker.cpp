@@ -2,6 +2,9 @@
 #include "search/vpViewMaker.h"
 
 #include <exception>
+#include <filesystem>
+#include <random>
+#include <sstream>
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -20,7 +23,8 @@ void giveWay()
 }
 } // namespace
 
-vpViewMaker::vpViewMaker(vpViewSphere &sphere) : m_sphere(sphere), m_thread([this] { make(); })
+vpViewMaker::vpViewMaker(vpViewSphere &sphere, const std::string &folder)
+    : m_sphere(sphere), m_folder(folder), m_thread([this] { run(); })
 {
 }
 
@@ -39,16 +43,44 @@ unsigned int vpViewMaker::level() const
   return level;
 }
 
-// The directions of coarse levels come first. Where memory runs out, searches go on with the views that there are.
-void vpViewMaker::make() noexcept
+// Where memory runs out or the disk is full nobody could be told, and nothing is missing but finer views, or a file
+// that would have saved time.
+void vpViewMaker::run() noexcept
 {
   giveWay();
   try {
-    for (std::size_t i = 0; i < m_sphere.size() && !m_mustStop; ++i) {
-      m_sphere.make(i);
-      m_made.store(i + 1, std::memory_order_release);
-    }
-  } catch (const std::exception &) { // Nobody could be told, and nothing but the finer views is missing.
+    make();
+  } catch (const std::exception &) {
+  }
+}
+
+// The directions of coarse levels come first.
+void vpViewMaker::make()
+{
+  bool isNew = false;
+  for (std::size_t i = 0; i < m_sphere.size() && !m_mustStop; ++i) {
+    isNew = isNew || !m_sphere.isMade(i);
+    m_sphere.make(i);
+    m_made.store(i + 1, std::memory_order_release);
+  }
+  if (isNew && !m_folder.empty() && !m_mustStop) {
+    keep();
+  }
+}
+
+// Another program may do the same just now: each writes a file of its own, and the name is given to a whole one.
+void vpViewMaker::keep()
+{
+  const std::filesystem::path file = std::filesystem::path(m_folder) / m_sphere.fileName();
+  std::ostringstream own;
+  own << file.string() << '.' << std::hex << std::random_device()();
+  try {
+    m_sphere.save(own.str());
+    std::filesystem::rename(own.str(), file);
+  } catch (const std::exception &) {
+    std::error_code ignored;
+    std::filesystem::remove(own.str(), ignored);
+    throw;
   }
 }
 

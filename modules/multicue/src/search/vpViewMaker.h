@@ -10,15 +10,17 @@
 BEGIN_VISP_NAMESPACE
 
 /*!
-  Makes the views of a sphere beside the frames, coarse levels first, so that none of them has to be waited for.
+  Makes the views of a sphere beside the frames, coarse levels first, so that none of them has to be waited for. Once
+  all are made, they may be kept in a folder for the next start of the program.
 
   As long as it lives, nobody else may make views; those of level() may be looked at.
 */
 class vpViewMaker
 {
 public:
-  //! Begins to make those that are not made yet. \param sphere To live longer.
-  explicit vpViewMaker(vpViewSphere &sphere);
+  //! Begins to make those that are not made yet. \param sphere To live longer. \param folder Where to keep them; empty:
+  //! nowhere.
+  vpViewMaker(vpViewSphere &sphere, const std::string &folder);
   //! Waits for the view that is being made.
   ~vpViewMaker();
   vpViewMaker(const vpViewMaker &) = delete;
@@ -30,9 +32,12 @@ public:
   unsigned int level() const;
 
 private:
-  void make() noexcept;
+  void run() noexcept;
+  void make();
+  void keep();
 
   vpViewSphere &m_sphere;
+  std::string m_folder;
   std::atomic<std::size_t> m_made{0}; // From the first one on.
   std::atomic<bool> m_mustStop{false};
   std::thread m_thread; // Of all the above: the last one.

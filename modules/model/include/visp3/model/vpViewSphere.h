@@ -106,6 +106,8 @@ public:
     same order of bytes; the renderer is not compared.
     @{
   */
+  //! A name that tells files of other models and options apart, "0123456789abcdef.views".
+  std::string fileName() const;
   //! Writes all views that are made; a file that is there is replaced. \throw vpException that names the file.
   void save(const std::string &file) const;
   //! Adds the views of a file that are not made yet. \throw vpException that names the file, where it cannot be read,

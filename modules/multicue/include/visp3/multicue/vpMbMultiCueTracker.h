@@ -364,6 +364,15 @@ public:
   */
   void setFrameDeadline(double milliseconds);
   double getFrameDeadline() const;
+  /*!
+    Keeps the views that searches look at (\ref multicue_deadline) for the next start of the program: with a deadline
+    they are made beside the frames, which takes 3 seconds of a core with 30,000 triangles. The file's name has a
+    fingerprint of the model; one that is damaged or of another version is made anew.
+    \param folder That is there; empty: none, the default. Counts from the next loadModel() on.
+    \throw vpException naming the folder, where it is none or nothing can be written there.
+  */
+  void setViewCache(const std::string &folder);
+  std::string getViewCache() const;
   void setKltOpencv(const vpKltOpencv &klt) override;
   vpKltOpencv getKltOpencv() const override;
   void setKltMaskBorder(const unsigned int &border) override;
