@@ -84,24 +84,36 @@ TEST_CASE("A search becomes as large as its time allows", "[frame-deadline]")
 {
   vpFrameDeadline deadline;
   deadline.set(40.);
+  deadline.startFrame();
   vpSearchSize size;
-  const double whole = 20.; // Of all poses, milliseconds; a quarter of the frame is half of it.
+  size.begin(deadline, 0.25);
+  const double whole = 20.; // Of all poses, milliseconds.
   for (unsigned int i = 0; i < 12; ++i) {
-    deadline.startFrame();
-    size.begin(deadline, 0.25);
-    wait(whole * size.share());
-    size.end(deadline);
+    size.learn(10., whole * size.share());
   }
-  CHECK(size.share() == Approx(0.5).margin(0.15));
-
+  CHECK(size.share() == Approx(0.5));
   for (unsigned int i = 0; i < 12; ++i) {
-    deadline.startFrame();
-    size.begin(deadline, 0.25);
-    wait(15.); // Whatever is drawn.
-    size.end(deadline);
+    size.learn(10., 15.); // Whatever is drawn.
   }
   CHECK(size.share() < 0.1);
   CHECK(size.of(2000.) >= 50);
+  for (unsigned int i = 0; i < 12; ++i) {
+    size.learn(10., 0.);
+  }
+  CHECK(size.share() == Approx(1.));
+}
+
+TEST_CASE("A search that was put off in several frames has more time in the next", "[frame-deadline]")
+{
+  vpFrameDeadline deadline;
+  deadline.set(1000.);
+  std::vector<bool> isSearched;
+  for (unsigned int i = 0; i < 8; ++i) {
+    deadline.startFrame();
+    deadline.learn(vpPutOff::SEARCH, 1500.);
+    isSearched.push_back(!deadline.putsOff(vpPutOff::SEARCH));
+  }
+  CHECK(isSearched == std::vector<bool>{false, false, false, true, false, false, false, true});
 }
 
 TEST_CASE("A frame without time follows the object, and tells what it left", "[frame-deadline]")

@@ -31,7 +31,8 @@ private:
   When a frame has to end, and what it puts off for that; without a deadline, nothing is put off.
 
   Each kind of work is begun only where the time that it took lately fits in before the end. What ends a frame, whatever
-  was found, has its time kept free.
+  was found, has its time kept free. Where a machine is so slow that searches are put off in several frames on end, the
+  next one takes longer: a lost object would never be found again.
 */
 class vpFrameDeadline
 {
@@ -73,6 +74,9 @@ private:
   Duration &durationOf(vpPutOff work) { return m_durations[static_cast<std::size_t>(work)]; }
 
   double m_milliseconds = 0.;
+  double m_end = 0.;               // Of this frame, milliseconds.
+  unsigned int m_hungryFrames = 0; // On end, that put a search off.
+  bool m_isSearchPutOff = false;
   Clock::time_point m_begin;
   std::vector<vpPutOff> m_putOff;
   Duration m_ending;

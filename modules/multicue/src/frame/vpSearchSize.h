@@ -29,9 +29,14 @@ public:
   void end(const vpFrameDeadline &deadline)
   {
     if (m_isLimited) {
-      const double duration = std::max(deadline.elapsed() - m_begin, 0.01);
-      m_share = std::min(std::max(m_share * std::min(std::max(m_allowed / duration, 0.5), 2.), leastShare), 1.);
+      learn(m_allowed, deadline.elapsed() - m_begin);
     }
+  }
+  //! It took so long and was allowed to take so long, milliseconds.
+  void learn(double allowed, double duration)
+  {
+    const double change = allowed / std::max(duration, 0.01);
+    m_share = std::min(std::max(m_share * std::min(std::max(change, 0.5), 2.), leastShare), 1.);
   }
 
 private:
