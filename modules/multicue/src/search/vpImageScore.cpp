@@ -157,17 +157,17 @@ void vpImageScore::setRegion(const vpFrameContext &frame, const vpImageRegion &r
   const vpStopwatch stage(frame.timings.map);
   const vpCueFrame &image = frame.image;
   m_distances.compute(image, region);
-  const bool hasColors = m_cues.knowsColors();
-  if (hasColors) {
+  m_hasColors = m_cues.knowsColors();
+  if (m_hasColors) {
     m_odds.compute(image, m_cues.color().histograms(), region);
   }
-  m_aligner.setImage(hasColors ? &m_odds : nullptr, &m_distances, image.camera(), image.width(), image.height());
+  m_aligner.setImage(m_hasColors ? &m_odds : nullptr, &m_distances, image.camera(), image.width(), image.height());
   const bool hasSurface = !m_cues.isEdgesAlone();
   if (hasSurface) {
     m_knowledge.surface.setFrame(image);
   }
   weigh(false);
-  m_score.setImage(m_cues.uses(vpCueSet::EDGE) ? &m_distances : nullptr, hasColors ? &m_odds : nullptr,
+  m_score.setImage(m_cues.uses(vpCueSet::EDGE) ? &m_distances : nullptr, m_hasColors ? &m_odds : nullptr,
                    hasSurface ? &m_knowledge.surface : nullptr, image.camera(), image.width(), image.height());
 }
 
@@ -194,7 +194,7 @@ double vpImageScore::insideShare(const vpHomogeneousMatrix &cMo)
 
 void vpImageScore::settle(vpPoseSearch &search, double share)
 {
-  if (!m_cues.knowsColors()) {
+  if (!m_hasColors) {
     settleByScore(search, share);
     return;
   }

@@ -47,6 +47,8 @@ public:
   void setRegion(const vpFrameContext &frame, const vpImageRegion &region);
   //! True where all of this image is looked at already.
   bool hasWhole(const vpFrameContext &frame) const { return m_wholeFrame == frame.image.number(); }
+  //! True where colours were known when the image was looked at: they may have been learnt, or forgotten, since.
+  bool hasColors() const { return m_hasColors; }
   //! How much each cue counts. \param byEdges In a search in which others are hardly trusted.
   void weigh(bool byEdges);
 
@@ -85,6 +87,7 @@ private:
   vpContourAligner m_aligner;
   vpContourScan m_contourScan;
   unsigned long long m_wholeFrame = 0;
+  bool m_hasColors = false; // The aligner and the score have a map of them.
 };
 
 END_VISP_NAMESPACE

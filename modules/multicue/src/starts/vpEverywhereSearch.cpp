@@ -212,7 +212,7 @@ void vpEverywhereSearch::scatterScanned(const vpFrameContext &frame, vpPoseSearc
 std::vector<vpEverywhereSearch::Place> vpEverywhereSearch::placesOfColors(const vpFrameContext &frame)
 {
   std::vector<Place> places;
-  if (!m_cues.knowsColors()) {
+  if (!m_score.hasColors()) {
     return places;
   }
   const double depth = m_whereabouts.depthOfOrigin();
