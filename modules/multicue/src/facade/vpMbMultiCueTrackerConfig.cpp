@@ -19,6 +19,9 @@ void vpMbMultiCueTracker::setTrackerType(int type)
                       type, vpCueKinds::listText().c_str());
   }
   vpMultiCueEngine &engine = m_impl->engine();
+  if ((engine.cues.type() & ~type) != 0) {
+    engine.minimiser.clear(); // The last frame's features are of cues that may end now.
+  }
   engine.cues.setType(type, engine.looks);
   m_impl->updatePointFilter();
   double deadline = engine.deadline.get();
@@ -136,6 +139,10 @@ void vpMbMultiCueTracker::setCameraParameters(const vpCameraParameters &cam)
                       "The camera is singular (px %g, py %g, u0 %g, v0 %g): give focal lengths above 0 and a principal "
                       "point, in pixels",
                       cam.get_px(), cam.get_py(), cam.get_u0(), cam.get_v0());
+  }
+  if (!std::isfinite(cam.get_kud() + cam.get_kdu())) {
+    throw vpException(vpException::badValue, "The camera's distortion (kud %g, kdu %g) is not finite", cam.get_kud(),
+                      cam.get_kdu());
   }
   vpMbTracker::setCameraParameters(cam);
 }
