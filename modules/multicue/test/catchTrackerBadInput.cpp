@@ -10,6 +10,7 @@
 #include <visp3/core/vpTrackingException.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -121,6 +122,34 @@ TEST_CASE("Poses that cannot be are refused, and the last good one stays", "[tra
   broken[0][0] = 2.;
   CHECK_THAT(messageOf([&] { f.tracker.setPose(f.I, broken); }), ContainsSubstring("rotation"));
   f.requireUsable();
+}
+
+TEST_CASE("A start that is refused leaves the pose before, and what was learnt", "[tracker]")
+{
+  Fixture f;
+  const vpHomogeneousMatrix before = f.tracker.getPose();
+  vpHomogeneousMatrix other = renderedBox::pose();
+  other[0][3] += 0.05;
+  const auto stays = [&] {
+    const vpHomogeneousMatrix after = f.tracker.getPose();
+    return std::equal(before.data, before.data + 16, after.data);
+  };
+  CHECK_THROWS_AS(f.tracker.initFromPose(vpImage<unsigned char>(), other), vpException);
+  CHECK(stays());
+  const vpImage<bool> mask(100, 100, true);
+  f.tracker.setMask(mask);
+  CHECK_THROWS_AS(f.tracker.initFromPose(f.I, other), vpException);
+  CHECK(stays());
+  CHECK_THROWS_AS(f.tracker.initFromRoughPose(f.I, other), vpException);
+  CHECK(stays());
+  const vpImage<bool> everything(480, 640, true);
+  f.tracker.setMask(everything);
+  f.requireUsable();
+
+  vpMbMultiCueTracker empty;
+  other[0][3] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(empty.initFromPose(f.I, other), vpException); // There is no model.
+  CHECK(std::isfinite(empty.getPose()[0][3]));
 }
 
 TEST_CASE("A camera that is singular is refused", "[tracker]")

@@ -86,10 +86,10 @@ bool vpMbMultiCueTracker::Impl::isFollowable(const vpHomogeneousMatrix &cMo, uns
 
 void vpMbMultiCueTracker::Impl::start(unsigned int width, unsigned int height)
 {
-  requireTrackable(width, height);
   vpHomogeneousMatrix &pose = m_tracker.m_cMo;
   const vpHomogeneousMatrix cMo = pose;
   pose = m_engine.motion.trusted.cMo; // Until the new pose has passed.
+  requireTrackable(width, height);
   requireStart(width, height, m_engine.looks.model(), cMo);
   pose = cMo;
   m_engine.start(width, height, cMo);
@@ -97,10 +97,14 @@ void vpMbMultiCueTracker::Impl::start(unsigned int width, unsigned int height)
 
 template <typename Pixel> void vpMbMultiCueTracker::Impl::startOn(const vpImage<Pixel> &I)
 {
+  vpHomogeneousMatrix &pose = m_tracker.m_cMo;
+  const vpHomogeneousMatrix given = pose;
+  pose = m_engine.motion.trusted.cMo; // A mask of another size is refused before anything is forgotten.
+  requireTrackable(I.getWidth(), I.getHeight());
+  const vpCueFrame image = source.frame(I, m_tracker.m_cam, m_tracker.m_mask);
+  pose = given;
   start(I.getWidth(), I.getHeight());
-  estimate([&](const vpHomogeneousMatrix &cMo) {
-    m_engine.captureStart(source.frame(I, m_tracker.m_cam, m_tracker.m_mask), cMo);
-  });
+  estimate([&](const vpHomogeneousMatrix &cMo) { m_engine.captureStart(image, cMo); });
   m_tracker.followFaces(I.getWidth(), I.getHeight());
 }
 

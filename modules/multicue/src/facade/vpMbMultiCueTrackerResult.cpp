@@ -51,7 +51,9 @@ std::string vpMbMultiCueTracker::Impl::reasonText() const
   const std::string &said = m_engine.rough.detectorText;
   const std::string detector = said.empty() ? "" : "; " + said;
   const bool coasts = m_engine.outcome.reason == Reason::COASTING;
-  return m_engine.outcome.text + (coasts ? "; the pose is the predicted one" : "") + detector;
+  const std::string &text = m_engine.outcome.text; // Empty where all was forgotten and nothing came after.
+  return (text.empty() ? "no image was tracked yet" : text) + (coasts ? "; the pose is the predicted one" : "") +
+         detector;
 }
 
 vpMbTrackingResult vpMbMultiCueTracker::getTrackingResult() const

@@ -61,12 +61,11 @@ bool vpMbMultiCueTracker::Impl::startRoughlyOn(const vpImage<Pixel> &I, const st
       throw vpException(vpException::badValue, "A candidate's weight is %g, it must be above 0", candidate.weight);
     }
   }
+  const vpCueFrame image = source.frame(I, m_tracker.m_cam, m_tracker.m_mask);
   m_tracker.m_cMo = vpRoughStart::heaviest(candidates);
   start(I.getWidth(), I.getHeight());
   bool isAccepted = false;
-  estimate([&](vpHomogeneousMatrix &cMo) {
-    isAccepted = m_engine.startRoughly(source.frame(I, m_tracker.m_cam, m_tracker.m_mask), candidates, deviation, cMo);
-  });
+  estimate([&](vpHomogeneousMatrix &cMo) { isAccepted = m_engine.startRoughly(image, candidates, deviation, cMo); });
   m_tracker.followFaces(I.getWidth(), I.getHeight());
   return isAccepted;
 }
