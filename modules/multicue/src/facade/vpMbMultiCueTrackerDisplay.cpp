@@ -7,8 +7,10 @@
 
 #include <visp3/core/vpDisplay.h>
 #include <visp3/core/vpImageConvert.h>
+#include <visp3/se3/vpPoseExponential.h>
 
 #include <algorithm>
+#include <cmath>
 
 BEGIN_VISP_NAMESPACE
 
@@ -108,11 +110,33 @@ void vpMbMultiCueTracker::display(const vpImage<vpRGBa> &I, const vpHomogeneousM
   m_impl->displayOn(I, cMo, cam, col, thickness, displayFullModel);
 }
 
+namespace {
+// ViSP walks along whole lines, beyond the image too: for minutes where the object comes close to the camera's plane,
+// and without an end where the camera is none.
+bool isNearImage(const vpTrackedModel &model, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam,
+                 double reach)
+{
+  for (unsigned int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d oX(((corner & 1U) ? model.boxMax() : model.boxMin()).x(),
+                             ((corner & 2U) ? model.boxMax() : model.boxMin()).y(),
+                             ((corner & 4U) ? model.boxMax() : model.boxMin()).z());
+    const Eigen::Vector3d cX = vpPoseExponential::toEigen(cMo) * oX;
+    const double u = cam.get_px() * cX.x() / cX.z() + cam.get_u0();
+    const double v = cam.get_py() * cX.y() / cX.z() + cam.get_v0();
+    if (!(cX.z() > 0. && std::fabs(u) < reach && std::fabs(v) < reach)) {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
 double vpMbMultiCueTracker::computeCurrentProjectionError(const vpImage<unsigned char> &I,
                                                           const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
 {
   m_impl->engine().looks.requireModel();
-  if (!m_impl->hasMesh) {
+  const double reach = 10. * (I.getWidth() + I.getHeight()); // Pixels.
+  if (!m_impl->hasMesh && isNearImage(m_impl->engine().looks.model(), cMo, cam, reach)) {
     m_projectionErrorCam = vpCameraParameters(0.5, 0.5, 0., 0.); // Another one: getLline() may have set theirs.
     return vpMbTracker::computeCurrentProjectionError(I, cMo, cam);
   }
