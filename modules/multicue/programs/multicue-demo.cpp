@@ -107,7 +107,7 @@ void run(const Options &options)
     }
   }
   std::cout << text << "saved: " << film.file() << std::endl;
-  if (!options.summary.empty() && !(std::ofstream(options.summary) << text)) {
+  if (!options.summary.empty() && !(std::ofstream(options.summary) << text << std::flush)) {
     throw vpException(vpException::ioError, "--summary %s cannot be written", options.summary.c_str());
   }
 }
