@@ -11,10 +11,26 @@
 
 #include <visp3/multicue/vpMbMultiCueTracker.h>
 
+#include <cerrno>
 #include <chrono>
+#include <dlfcn.h>
 #include <fstream>
+#include <pthread.h>
 
 /*! \file catchViewCache.cpp Views that are made beside the frames, and kept in a folder. */
+
+namespace {
+bool refusesThreads = false;
+} // namespace
+
+// In place of the C library's: as a system does that has no thread left.
+extern "C" int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*begin)(void *),
+                              void *argument) noexcept
+{
+  using Create = int (*)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+  static const auto create = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "pthread_create"));
+  return refusesThreads ? EAGAIN : create(thread, attributes, begin, argument);
+}
 
 namespace {
 namespace fs = std::filesystem;
@@ -72,6 +88,18 @@ TEST_CASE("A maker that ends early leaves a sphere that can be gone on with", "[
     }
     CHECK(sphere.view(sphere.size() - 1).size() > 0);
   }
+}
+
+TEST_CASE("Without a thread the views are there at once", "[view-cache]")
+{
+  vpViewSphere sphere = sphereOf(boxModel());
+  refusesThreads = true;
+  CHECK_THROWS_AS(std::thread([] {}), std::system_error);
+  {
+    const vpViewMaker maker(sphere, "");
+    CHECK(maker.has(2));
+  }
+  refusesThreads = false;
 }
 
 TEST_CASE("All views are kept for the next program", "[view-cache]")

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <random>
 #include <sstream>
+#include <system_error>
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -23,15 +24,25 @@ void giveWay()
 }
 } // namespace
 
-vpViewMaker::vpViewMaker(vpViewSphere &sphere, const std::string &folder)
-    : m_sphere(sphere), m_folder(folder), m_thread([this] { run(); })
+// A system may refuse another thread; then the frame that begins waits for the views.
+vpViewMaker::vpViewMaker(vpViewSphere &sphere, const std::string &folder) : m_sphere(sphere), m_folder(folder)
 {
+  try {
+    m_thread = std::thread([this] {
+      giveWay();
+      run();
+    });
+  } catch (const std::system_error &) {
+    run();
+  }
 }
 
 vpViewMaker::~vpViewMaker()
 {
   m_mustStop = true;
-  m_thread.join();
+  if (m_thread.joinable()) {
+    m_thread.join();
+  }
 }
 
 unsigned int vpViewMaker::level() const
@@ -47,7 +58,6 @@ unsigned int vpViewMaker::level() const
 // that would have saved time.
 void vpViewMaker::run() noexcept
 {
-  giveWay();
   try {
     make();
   } catch (const std::exception &) {
