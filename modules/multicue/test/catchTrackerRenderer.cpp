@@ -80,16 +80,6 @@ vpModelRenderer::create(const std::shared_ptr<const vpTrackedModel> &model, Pref
 END_VISP_NAMESPACE
 
 namespace {
-//! A box with a smaller one on it: parts hide others, so that every view draws depth.
-meshFiles::Triangles stepTriangles()
-{
-  meshFiles::Triangles triangles = modelShapes::boxTriangles(modelShapes::Point(0.12, 0.07, 0.05));
-  const meshFiles::Triangles upper =
-      modelShapes::boxTriangles(modelShapes::Point(0.04, 0.07, 0.05), 1, modelShapes::Point(-0.04, 0., 0.05));
-  triangles.insert(triangles.end(), upper.begin(), upper.end());
-  return triangles;
-}
-
 struct Followed
 {
   explicit Followed(bool hasAllCues)

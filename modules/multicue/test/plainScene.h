@@ -21,6 +21,16 @@
 
 BEGIN_VISP_NAMESPACE
 
+//! A box with a smaller one on it: parts hide others, so that every view draws depth.
+inline meshFiles::Triangles stepTriangles()
+{
+  meshFiles::Triangles triangles = modelShapes::boxTriangles(modelShapes::Point(0.12, 0.07, 0.05));
+  const meshFiles::Triangles upper =
+      modelShapes::boxTriangles(modelShapes::Point(0.04, 0.07, 0.05), 1, modelShapes::Point(-0.04, 0., 0.05));
+  triangles.insert(triangles.end(), upper.begin(), upper.end());
+  return triangles;
+}
+
 /*!
   Things of one colour, drawn with anti-aliasing on a plain background: the light falls from the camera, so that nothing
   in an image shows how far a round one is turned about its axis.

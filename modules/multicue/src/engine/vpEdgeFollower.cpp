@@ -77,7 +77,7 @@ vpHomogeneousMatrix vpEdgeFollower::captureAgain(const vpFrameContext &frame, co
 {
   const double share = m_outcome.isLost() ? 0. : m_verdict.explained;
   const double reach = std::min(firstReach + reachPerFrame * m_situation.framesSinceLoss, mostReach);
-  const vpHomogeneousMatrix captured = m_capture.find(frame, m_motion.trusted.cMo, reach, true);
+  const vpHomogeneousMatrix captured = m_capture.find(frame, m_motion.trusted.cMo, reach);
   m_cues.edges().reset();
   const vpHomogeneousMatrix found = judged(m_edges.from(frame, captured, false));
   return m_verdict.explained < share ? judged(m_edges.from(frame, cMo, false)) : found;

@@ -64,6 +64,11 @@ vpFrameContext vpMultiCueEngine::frameOf(const vpCueFrame &image)
   return {image, timings, deadline, m_streams};
 }
 
+vpFrameContext vpMultiCueEngine::startOf(const vpCueFrame &image)
+{
+  return {image, timings, m_noDeadline, m_streams};
+}
+
 void vpMultiCueEngine::start(unsigned int width, unsigned int height, const vpHomogeneousMatrix &cMo)
 {
   m_learning.trust(cMo);
@@ -76,9 +81,9 @@ void vpMultiCueEngine::start(unsigned int width, unsigned int height, const vpHo
 
 void vpMultiCueEngine::captureStart(const vpCueFrame &image, const vpHomogeneousMatrix &cMo)
 {
-  const vpFrameContext frame = frameOf(image);
+  const vpFrameContext frame = startOf(image);
   looks.setImage(image);
-  const vpHomogeneousMatrix captured = m_capture.find(frame, cMo, 1., false);
+  const vpHomogeneousMatrix captured = m_capture.find(frame, cMo, 1.);
   m_learning.trust(captured);
   m_learning.learnStart(frame, captured);
   m_captured = captured;
@@ -89,7 +94,7 @@ bool vpMultiCueEngine::startRoughly(const vpCueFrame &image, const std::vector<v
 {
   rough.candidates = candidates;
   rough.spread = vpRoughStart::spreadOf(deviation, looks.model().diameter());
-  return m_starter.search(frameOf(image), cMo);
+  return m_starter.search(startOf(image), cMo);
 }
 
 bool vpMultiCueEngine::startAnywhere(const vpCueFrame &image, const vpImageSearch::Sizes &sizes,
@@ -97,7 +102,7 @@ bool vpMultiCueEngine::startAnywhere(const vpCueFrame &image, const vpImageSearc
 {
   rough.anywhere = sizes;
   rough.spread = vpRoughStart::spreadOf(vpPoseDeviation(), looks.model().diameter());
-  return m_starter.search(frameOf(image), cMo);
+  return m_starter.search(startOf(image), cMo);
 }
 
 // While the object is lost, or found again and not confirmed.

@@ -68,6 +68,8 @@ private:
     vpHomogeneousMatrix cMo;
     vpAttempts::Attempt best;
   };
+  //! The same of an image to start in: a start has no deadline.
+  vpFrameContext startOf(const vpCueFrame &image);
   void predict(vpHomogeneousMatrix &cMo);
   void refuseUnbelievable(const vpHomogeneousMatrix &before, Found &found);
   Found fuse(const vpFrameContext &frame);
@@ -81,6 +83,7 @@ private:
   void forgetImages();
 
   vpRandomStreams m_streams;
+  vpFrameDeadline m_noDeadline;
   vpHalfTurns m_halfTurns;
   vpObjectKnowledge m_knowledge;
   vpFoundPoseProof m_proof;

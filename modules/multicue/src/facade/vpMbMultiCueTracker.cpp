@@ -84,26 +84,21 @@ bool vpMbMultiCueTracker::Impl::isFollowable(const vpHomogeneousMatrix &cMo, uns
   return true;
 }
 
-void vpMbMultiCueTracker::Impl::start(unsigned int width, unsigned int height)
+void vpMbMultiCueTracker::Impl::start(const vpHomogeneousMatrix &cMo, unsigned int width, unsigned int height)
 {
-  vpHomogeneousMatrix &pose = m_tracker.m_cMo;
-  const vpHomogeneousMatrix cMo = pose;
-  pose = m_engine.motion.trusted.cMo; // Until the new pose has passed.
-  requireTrackable(width, height);
   requireStart(width, height, m_engine.looks.model(), cMo);
-  pose = cMo;
+  m_tracker.m_cMo = cMo;
   m_engine.start(width, height, cMo);
 }
 
 template <typename Pixel> void vpMbMultiCueTracker::Impl::startOn(const vpImage<Pixel> &I)
 {
-  vpHomogeneousMatrix &pose = m_tracker.m_cMo;
-  const vpHomogeneousMatrix given = pose;
-  pose = m_engine.motion.trusted.cMo; // A mask of another size is refused before anything is forgotten.
+  const vpHomogeneousMatrix given = m_tracker.m_cMo;
+  m_tracker.m_cMo = m_engine.motion.trusted.cMo; // Until the new pose has passed.
   requireTrackable(I.getWidth(), I.getHeight());
+  // A mask of another size is refused before anything is forgotten.
   const vpCueFrame image = source.frame(I, m_tracker.m_cam, m_tracker.m_mask);
-  pose = given;
-  start(I.getWidth(), I.getHeight());
+  start(given, I.getWidth(), I.getHeight());
   estimate([&](const vpHomogeneousMatrix &cMo) { m_engine.captureStart(image, cMo); });
   m_tracker.followFaces(I.getWidth(), I.getHeight());
 }

@@ -44,8 +44,7 @@ bool vpMbMultiCueTracker::Impl::startAnywhereOn(const vpImage<Pixel> &I, const v
   // Until the object is found, where most of the images that show it have it: in the middle.
   const vpImageSearch::Sizes sizes =
       vpImageSearch::sizes(distances, m_engine.looks.model(), image.camera(), image.height());
-  m_tracker.m_cMo = vpImageSearch::inTheMiddle(m_engine.looks.model(), image.camera(), sizes);
-  start(I.getWidth(), I.getHeight());
+  start(vpImageSearch::inTheMiddle(m_engine.looks.model(), image.camera(), sizes), I.getWidth(), I.getHeight());
   bool isAccepted = false;
   estimate([&](vpHomogeneousMatrix &cMo) { isAccepted = m_engine.startAnywhere(image, sizes, cMo); });
   m_tracker.followFaces(I.getWidth(), I.getHeight());

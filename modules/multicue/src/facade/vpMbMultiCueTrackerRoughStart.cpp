@@ -62,8 +62,7 @@ bool vpMbMultiCueTracker::Impl::startRoughlyOn(const vpImage<Pixel> &I, const st
     }
   }
   const vpCueFrame image = source.frame(I, m_tracker.m_cam, m_tracker.m_mask);
-  m_tracker.m_cMo = vpRoughStart::heaviest(candidates);
-  start(I.getWidth(), I.getHeight());
+  start(vpRoughStart::heaviest(candidates), I.getWidth(), I.getHeight());
   bool isAccepted = false;
   estimate([&](vpHomogeneousMatrix &cMo) { isAccepted = m_engine.startRoughly(image, candidates, deviation, cMo); });
   m_tracker.followFaces(I.getWidth(), I.getHeight());

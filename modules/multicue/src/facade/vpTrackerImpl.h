@@ -61,7 +61,7 @@ public:
   //! \return False, and the object is LOST, where the pose is one that no image of this size shows.
   bool isFollowable(const vpHomogeneousMatrix &cMo, unsigned int width, unsigned int height);
   template <typename Pixel> void setPoseOn(const vpImage<Pixel> &I, const vpHomogeneousMatrix &cdMo);
-  void start(unsigned int width, unsigned int height);
+  void start(const vpHomogeneousMatrix &cMo, unsigned int width, unsigned int height);
   template <typename Pixel> void startOn(const vpImage<Pixel> &I);
   template <typename Pixel>
   bool startRoughlyOn(const vpImage<Pixel> &I, const std::vector<vpWeightedPose> &candidates,

@@ -77,9 +77,12 @@ void vpImageScore::makeSphere()
 // A file that is damaged, or of another version, is as good as none: it is replaced once all views are made.
 void vpImageScore::loadViews()
 {
+  if (m_viewCache.empty()) {
+    return; // The file's name takes a look at all of the model.
+  }
   const std::filesystem::path file = std::filesystem::path(m_viewCache) / m_sphere->fileName();
   std::error_code ignored;
-  if (m_viewCache.empty() || !std::filesystem::exists(file, ignored)) {
+  if (!std::filesystem::exists(file, ignored)) {
     return;
   }
   try {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "search/vpImageSearch.h"
 
+#include "search/vpHundredths.h"
+
 #include <visp3/core/vpException.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 BEGIN_VISP_NAMESPACE
 
@@ -46,13 +47,6 @@ const unsigned int mostCorners = 40;
 // ones; the correlation of right ones was 0.51 and more.
 const double leastStanding = 4.8;
 const double leastColors = 0.5;
-
-std::string number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 
 template <typename Item> void keepBest(std::vector<Item> &items, std::size_t most)
 {
@@ -239,14 +233,15 @@ std::string vpImageSearch::missing(const vpHomogeneousMatrix &cMo) const
 {
   const double stands = standing(cMo);
   if (!(stands >= leastStanding)) {
-    return "it is " + number(stands) + " deviations better than what is found of this size in all of the image, " +
-           number(leastStanding) + " are needed";
+    return "it is " + vpHundredths(stands) +
+           " deviations better than what is found of this size in all of the image, " + vpHundredths(leastStanding) +
+           " are needed";
   }
   const double trust = m_look->trust();
   const double colors = trust > 0. ? m_look->colorsAt(vpPoseExponential::toEigen(cMo), 1) : 0.;
   if (colors < trust * leastColors) {
-    return "the image does not have the model's colours there (correlation " + number(colors) + " of " +
-           number(trust * leastColors) + ")";
+    return "the image does not have the model's colours there (correlation " + vpHundredths(colors) + " of " +
+           vpHundredths(trust * leastColors) + ")";
   }
   return "";
 }

@@ -95,15 +95,13 @@ vpHomogeneousMatrix vpPoseCapture::drawn(const vpHomogeneousMatrix &start, const
 vpPoseCapture::Result vpPoseCapture::find(const vpCueFrame &frame, const vpTrackedModel &model,
                                           const vpHomogeneousMatrix &start, double reach,
                                           const vpEdgeCueSettings &settings, const vpPoseMatrix6 &freeMotions,
-                                          const ViewAt &viewAt, std::uint64_t stream, vpFrameDeadline *deadline)
+                                          const ViewAt &viewAt, std::uint64_t stream, vpFrameDeadline &deadline)
 {
   const double offset = reach * usualOffset;
-  vpFrameDeadline none;
-  vpFrameDeadline &time = deadline != nullptr ? *deadline : none;
   Result best = judge(frame, start, start, offset, settings, viewAt);
   best.value += leastGain;
-  for (std::uint64_t i = 0; i <= starts && !time.putsOff(vpPutOff::STARTS); ++i) {
-    const vpTimedWork work(time, vpPutOff::STARTS);
+  for (std::uint64_t i = 0; i <= starts && !deadline.putsOff(vpPutOff::STARTS); ++i) {
+    const vpTimedWork work(deadline, vpPutOff::STARTS);
     vpHomogeneousMatrix cMo = i == 0 ? start : drawn(start, model, offset, frame.camera(), vpPoseRandom(stream, {i}));
     if (!refine(frame, settings, freeMotions, viewAt, cMo)) {
       continue;

@@ -38,10 +38,10 @@ public:
 
   // The given pose where no other one is better by much. reach: how far off the start may be, in usual offsets.
   // settings: how edges are searched for once the pose is right. freeMotions: see vpPoseSolver. stream: of random
-  // numbers. deadline: those around the given pose are tried as long as there is time; null: all.
+  // numbers. deadline: those around the given pose are tried as long as there is time.
   Result find(const vpCueFrame &frame, const vpTrackedModel &model, const vpHomogeneousMatrix &start, double reach,
               const vpEdgeCueSettings &settings, const vpPoseMatrix6 &freeMotions, const ViewAt &viewAt,
-              std::uint64_t stream, vpFrameDeadline *deadline);
+              std::uint64_t stream, vpFrameDeadline &deadline);
 
 private:
   Result judge(const vpCueFrame &frame, const vpHomogeneousMatrix &cMo, const vpHomogeneousMatrix &start, double offset,

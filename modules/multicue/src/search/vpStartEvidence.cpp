@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "search/vpStartEvidence.h"
 
+#include "search/vpHundredths.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 BEGIN_VISP_NAMESPACE
 
@@ -26,13 +27,6 @@ const double leastEdges = 0.57;
 const double usualEdges = 0.69;
 const double perMissingEdges = 6.;
 const double leastColors = 0.3;
-
-std::string number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 } // namespace
 
 void vpStartEvidence::add(const vpStartSearch::Value &value, const std::vector<vpStartSearch::Value> &clutter,
@@ -89,20 +83,20 @@ bool vpStartEvidence::isEnough(double strict) const
 std::string vpStartEvidence::text(double strict) const
 {
   if (advantage() < strict * neededAdvantage()) {
-    return "it is " + number(advantage()) + " deviations better than what is elsewhere in the image, " +
-           number(strict * neededAdvantage()) + " are needed";
+    return "it is " + vpHundredths(advantage()) + " deviations better than what is elsewhere in the image, " +
+           vpHundredths(strict * neededAdvantage()) + " are needed";
   }
   if (mean(m_modelColors) < strict * neededModelColors()) {
-    return "the image does not have the model's colours there (correlation " + number(mean(m_modelColors)) + " of " +
-           number(strict * neededModelColors()) + ")";
+    return "the image does not have the model's colours there (correlation " + vpHundredths(mean(m_modelColors)) +
+           " of " + vpHundredths(strict * neededModelColors()) + ")";
   }
   if (m_support.hasEdges && mean(m_support.edges) < strict * leastEdges) {
-    return "a share of " + number(mean(m_support.edges)) + " of the edges is there, " + number(strict * leastEdges) +
-           " is needed";
+    return "a share of " + vpHundredths(mean(m_support.edges)) + " of the edges is there, " +
+           vpHundredths(strict * leastEdges) + " is needed";
   }
   if (m_support.hasColors && mean(m_support.colors) < strict * leastColors) {
-    return "the colours on both sides of the outline do not differ enough (" + number(mean(m_support.colors)) + " of " +
-           number(strict * leastColors) + ")";
+    return "the colours on both sides of the outline do not differ enough (" + vpHundredths(mean(m_support.colors)) +
+           " of " + vpHundredths(strict * leastColors) + ")";
   }
   return "";
 }

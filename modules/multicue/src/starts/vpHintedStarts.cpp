@@ -74,7 +74,7 @@ std::vector<vpHomogeneousMatrix> vpHintedStarts::take(const vpFrameContext &fram
   m_score.settle(search);
   search.keepBest(mostStarts - 1, vpPoseSearch::same());
   // The hint may be some pixels off, as a start.
-  std::vector<vpHomogeneousMatrix> starts = {m_rough.hint, m_capture.find(frame, m_rough.hint, 1., true)};
+  std::vector<vpHomogeneousMatrix> starts = {m_rough.hint, m_capture.find(frame, m_rough.hint, 1.)};
   for (const vpPoseCandidate &candidate : search.candidates()) {
     starts.push_back(candidate.cMo);
   }

@@ -22,17 +22,14 @@ void vpNearSearch::search(const vpFrameContext &frame)
   if (!m_score.setFrameInTime(frame)) {
     return;
   }
-  const auto settle = [this](vpPoseSearch &search, double share) { m_score.settle(search, share); };
-  const auto settleByScore = [this](vpPoseSearch &search, double share) { m_score.settleByScore(search, share); };
   // Colours may lead away from the object, or there are none.
-  if (!draw(frame, nearNumber, m_size, settle, true) && !frame.deadline.putsOff(vpPutOff::SEARCH)) {
-    draw(frame, scoredNumber, m_sizeByScore, settleByScore, false);
+  if (!draw(frame, nearNumber, m_size, true) && !frame.deadline.putsOff(vpPutOff::SEARCH)) {
+    draw(frame, scoredNumber, m_sizeByScore, false);
   }
 }
 
 // \param number From each spread. \return True where one of the best poses is enough.
-bool vpNearSearch::draw(const vpFrameContext &frame, std::size_t number, vpSearchSize &size, const Settle &settle,
-                        bool byColors)
+bool vpNearSearch::draw(const vpFrameContext &frame, std::size_t number, vpSearchSize &size, bool byColors)
 {
   const vpHomogeneousMatrix &expected = m_motion.expected();
   const vpPoseSearch::Spread near = vpPoseSearch::near();
@@ -51,7 +48,11 @@ bool vpNearSearch::draw(const vpFrameContext &frame, std::size_t number, vpSearc
     }
   }
   search.mix();
-  settle(search, size.share());
+  if (byColors) {
+    m_score.settle(search, size.share());
+  } else {
+    m_score.settleByScore(search, size.share());
+  }
   size.end(frame.deadline);
   if (search.isCutShort()) {
     frame.deadline.notePutOff(vpPutOff::SEARCH);

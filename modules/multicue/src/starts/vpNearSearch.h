@@ -24,8 +24,7 @@ public:
   void turn(const vpFrameContext &frame);
 
 private:
-  using Settle = std::function<void(vpPoseSearch &, double)>;
-  bool draw(const vpFrameContext &frame, std::size_t number, vpSearchSize &size, const Settle &settle, bool byColors);
+  bool draw(const vpFrameContext &frame, std::size_t number, vpSearchSize &size, bool byColors);
 
   const vpModelLooks &m_looks;
   const vpObjectMotion &m_motion;

@@ -17,8 +17,8 @@ public:
   }
 
   //! \return The pose that the image shows, or the given one. \param reach How far off that may be, in the usual
-  //! offsets of a start. \param isTimed The frame's deadline counts.
-  vpHomogeneousMatrix find(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo, double reach, bool isTimed)
+  //! offsets of a start.
+  vpHomogeneousMatrix find(const vpFrameContext &frame, const vpHomogeneousMatrix &cMo, double reach)
   {
     const auto viewAt = [&](const vpHomogeneousMatrix &pose) -> const vpModelView & {
       return m_looks.compute(frame, pose);
@@ -26,7 +26,7 @@ public:
     const vpModelView before = viewAt(cMo);
     const vpPoseCapture::Result found =
         m_capture.find(frame.image, m_looks.model(), cMo, reach, m_cues.edges().settings(), m_edges.freeMotions(),
-                       viewAt, frame.streams.captures++, isTimed ? &frame.deadline : nullptr);
+                       viewAt, frame.streams.captures++, frame.deadline);
     m_looks.continueFrom(before); // The poses that were tried saw other faces.
     return found.cMo;
   }
