@@ -51,6 +51,7 @@ macro(vp_create_module)
     PUBLIC installed_visp ${deps}
     PRIVATE ${private} $<BUILD_INTERFACE:multicue_warnings>)
   target_compile_definitions(${the_module} PRIVATE visp_EXPORTS)
+  multicue_first_build(${the_module} ${first_headers_${the_module}})
   set_target_properties(${the_module} PROPERTIES
     LINKER_LANGUAGE CXX # a module of headers alone has no source that would tell
     VERSION ${PROJECT_VERSION}
