@@ -5,6 +5,8 @@
 #include "chiralObject.h"
 
 #include "check/setupCheck.h"
+#include "frames/imageFile.h"
+#include "frames/videoFile.h"
 
 #include <meshFiles.h>
 
@@ -217,6 +219,31 @@ TEST_CASE("Images that are broken are named", "[check]")
     vpImageIo::write(vpImage<unsigned char>(480, 640, 0), files.setup.image);
     CHECK_THAT(files.fault(), ContainsSubstring("shows nothing"));
   }
+  SECTION("a video that is none")
+  {
+    files.setup.image.clear();
+    files.setup.video = files.folder.write("none.mp4", "no video");
+    CHECK_THAT(files.fault(), ContainsSubstring("video: ") && ContainsSubstring("none.mp4"));
+  }
+}
+
+TEST_CASE("A start is checked in the first image of a video, too", "[check]")
+{
+  Files files;
+  files.setup.video = files.folder.path("object.avi");
+  programs::VideoFile("--save", files.setup.video, 25.).write(programs::readColorImage(files.setup.image), 0);
+  files.setup.image.clear();
+  CHECK(checkSetup(files.setup).faults.empty());
+}
+
+TEST_CASE("Without a pose the overlay is the image, to read places of points from", "[check]")
+{
+  Files files;
+  files.setup.pose.clear();
+  files.setup.overlay = files.folder.path("seen.png");
+  CHECK(checkSetup(files.setup).faults.empty());
+  const cv::Mat image = programs::readColorImage(files.setup.image);
+  CHECK(cv::norm(programs::readColorImage(files.setup.overlay), image, cv::NORM_INF) < 0.5);
 }
 
 TEST_CASE("Starts that are broken are named", "[check]")

@@ -29,8 +29,10 @@ int run(int argc, const char *const argv[])
                  [&](const std::string &value) { setup.metresPerUnit = programs::metresPerUnit(value); });
   line.add("--config", "ViSP's .xml, its camera's calibration, or .json, with the camera", setup.config);
   line.add("--image", "the image in which tracking starts", setup.image);
+  line.add("--video", "the video whose first image that is, instead of --image", setup.video);
   line.add("--pose", "start pose in it: .pos of ViSP, or the rows of a matrix", setup.pose);
-  line.add("--overlay", "picture to write, .png: the model over the image at the start pose", setup.overlay);
+  line.add("--overlay", "picture to write, .png: the model over the image at the start pose, or the image alone",
+           setup.overlay);
   line.add("--schema", "print the JSON schema of configurations, and nothing else", printsSchema);
   if (!line.read(argc, argv)) {
     return 0;

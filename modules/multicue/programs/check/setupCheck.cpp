@@ -5,6 +5,7 @@
 #include "check/checkedModel.h"
 #include "check/checkedStart.h"
 #include "drawing/modelDrawing.h"
+#include "frames/frameReader.h"
 #include "frames/imageFile.h"
 
 #include <visp3/core/vpImageConvert.h>
@@ -45,33 +46,53 @@ bool load(const Setup &setup, vpMbMultiCueTracker &tracker, CheckReport &report)
   return isConfigured && tracker.getModel();
 }
 
-vpImage<vpRGBa> readImage(const std::string &file, CheckReport &report)
+// \return The image in which tracking starts; empty where there is none.
+vpImage<vpRGBa> readImage(const Setup &setup, CheckReport &report)
 {
   vpImage<vpRGBa> I;
-  tryStep("image", report, [&] {
-    ImageDepth depth;
-    vpImageConvert::convert(readColorImage(file, depth), I);
-  });
+  if (!setup.image.empty()) {
+    tryStep("image", report, [&] {
+      ImageDepth depth;
+      vpImageConvert::convert(readColorImage(setup.image, depth), I);
+    });
+  } else if (!setup.video.empty()) {
+    FrameSource source;
+    source.video = setup.video;
+    if (tryStep("video", report, [&] { openFrames(source)->next(I); }) && I.getSize() == 0) {
+      report.blame("video", setup.video + " has no images");
+    }
+  }
   return I;
+}
+
+cv::Mat toPicture(const vpImage<vpRGBa> &I)
+{
+  const cv::Mat color(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8UC4,
+                      const_cast<vpRGBa *>(I.bitmap));
+  cv::Mat picture;
+  cv::cvtColor(color, picture, cv::COLOR_RGBA2BGR);
+  return picture;
+}
+
+void write(const std::string &file, const cv::Mat &picture)
+{
+  if (!cv::imwrite(file, picture)) {
+    throw vpException(vpException::ioError, file + " cannot be written");
+  }
 }
 
 // The model over the image where it starts, with what is wrong.
 void writeOverlay(const std::string &file, vpMbMultiCueTracker &tracker, const vpImage<vpRGBa> &I,
                   const vpHomogeneousMatrix &cMo, const CheckReport &report)
 {
-  const cv::Mat color(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8UC4,
-                      const_cast<vpRGBa *>(I.bitmap));
-  cv::Mat picture;
-  cv::cvtColor(color, picture, cv::COLOR_RGBA2BGR);
+  cv::Mat picture = toPicture(I);
   vpCameraParameters cam;
   tracker.getCameraParameters(cam);
   const cv::Scalar state = colorOf(report.faults.empty() ? vpTrackingState::TRACKING : vpTrackingState::LOST);
   drawModel(picture, tracker, cMo, cam, state, 2);
   const cv::Point corner(10, 22);
   drawText(picture, report.faults.empty() ? std::vector<std::string>{"no fault"} : report.faults, corner, state);
-  if (!cv::imwrite(file, picture)) {
-    throw vpException(vpException::ioError, file + " cannot be written");
-  }
+  write(file, picture);
 }
 } // namespace
 
@@ -84,17 +105,20 @@ CheckReport checkSetup(const Setup &setup)
     checkGeometry(*tracker.getModel(), report);
     checkViews(tracker.getModel(), vpModelRenderer::AUTOMATIC, report);
   }
-  vpImage<vpRGBa> I;
-  if (!setup.image.empty()) {
-    I = readImage(setup.image, report);
-    if (I.getSize() > 0) {
-      checkImage(I, report);
-    }
+  const vpImage<vpRGBa> I = readImage(setup, report);
+  if (I.getSize() > 0) {
+    checkImage(I, report);
   }
   vpCameraParameters cam;
   tracker.getCameraParameters(cam);
   const bool hasCamera = isLoaded && checkCamera(cam, tracker.getConfigReport(), I, report);
   if (setup.pose.empty()) {
+    if (!setup.overlay.empty() && I.getSize() > 0) {
+      tryStep("overlay", report, [&] {
+        write(setup.overlay, toPicture(I));
+        report.say("overlay", setup.overlay + ", the image alone: there is no --pose");
+      });
+    }
     return report;
   }
   const std::optional<vpHomogeneousMatrix> cMo = readStart(setup.pose, report);

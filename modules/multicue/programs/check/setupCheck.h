@@ -13,8 +13,9 @@ struct Setup
   double metresPerUnit = 1.; //!< Of a mesh file.
   std::string config;        //!< Path of a configuration or of a camera's calibration.
   std::string image;         //!< Path of the first image; empty: none.
+  std::string video;         //!< Path of the video, where there is no image: its first one is taken; empty: none.
   std::string pose;          //!< Path of the start pose in it; empty: none.
-  std::string overlay;       //!< Path of the picture to write; empty: none.
+  std::string overlay;       //!< Path of the picture to write; empty: none. Without a pose it is the image alone.
 };
 
 /*!
