@@ -168,3 +168,23 @@ TEST_CASE("A run says what it cannot open")
     CHECK_THROWS_WITH(run(), ContainsSubstring("none.pos"));
   }
 }
+
+TEST_CASE("The configuration may say the model", "[track]")
+{
+  const BoxScene scene;
+  programs::TrackOptions options = scene.options();
+  const auto run = [&options] { programs::TrackRun(options).run(); };
+  options.model.clear();
+  CHECK_THROWS_WITH(run(), ContainsSubstring("--model") && ContainsSubstring("camera.json"));
+
+  const std::string camera = nlohmann::json::parse(std::ifstream(options.config)).at("camera").dump();
+  options.config = scene.path("all.json");
+  std::ofstream(options.config) << "{\"camera\": " << camera
+                                << ", \"model\": {\"file\": \"data/models/obj_000001.ply\", \"unit\": 0.001}}";
+  run();
+  REQUIRE(scene.poses().size() == frames);
+  CHECK(distance(scene.poses().back(), scene.truth(frames - 1)) < 0.005);
+
+  options.model = scene.path("data/models/obj_000001.obj");
+  CHECK_THROWS_WITH(run(), ContainsSubstring("obj_000001.obj") && ContainsSubstring("all.json"));
+}

@@ -71,7 +71,7 @@ bool TrackOptions::read(int argc, const char *const argv[])
                    "  multicue-track --video box.mp4 --model box.obj --unit mm --config camera.xml \\\n"
                    "    --init-pose box.pos --save seen.mp4 --poses poses.csv");
   addSource(line, source);
-  line.add("--model", "model: .cao .wrl .obj .ply .stl .dae .gltf .glb", model);
+  line.add("--model", "model: .cao .wrl .obj .ply .stl .dae .gltf .glb; default: the configuration's", model);
   line.addSetter("--unit", "unit of a mesh file: m (default), cm, mm or inch",
                  [this](const std::string &value) { metresPerUnit = programs::metresPerUnit(value); });
   line.add("--config", "ViSP's .xml or our .json, with the camera's parameters", config);
@@ -106,9 +106,6 @@ void TrackOptions::check() const
   requireOne("--init-click, --init-points, --init-pose, --init-rough, --init-anywhere and --init-tag",
              !start.click.empty() + !start.points.empty() + !start.pose.empty() + !start.rough.empty() +
                  start.anywhere + (start.tag >= 0));
-  if (model.empty()) {
-    fail("--model is missing");
-  }
   if (config.empty()) {
     fail("--config is missing: the camera's parameters come from there");
   }

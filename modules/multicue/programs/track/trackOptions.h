@@ -31,7 +31,7 @@ struct TrackOptions
 {
   FrameSource source;
   std::string model;
-  double metresPerUnit = 1.; //!< Unit of a mesh.
+  double metresPerUnit = 0.; //!< Unit of a mesh; 0: as the configuration says, or metres.
   std::string config;        //!< Configuration file with the camera's parameters.
   std::string preset;        //!< Name of a preset.
   std::vector<std::string> cues;
