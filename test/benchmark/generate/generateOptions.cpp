@@ -111,6 +111,7 @@ bool GenerateOptions::read(int argc, const char *const argv[])
   line.add("--unit", "metres per unit of a mesh; default 1", scene.unit);
   addImperfections(line, scene);
   line.add("--jpeg", "quality of images in JPEG, 1 to 100; default: images in PNG", scene.jpegQuality, 1);
+  line.add("--video", "write each sequence as a video too, at 25 images per second: <scene>.mp4 in --out", scene.video);
   line.add("--jobs", "threads; default 1, 2 for blur", scene.jobs, 1);
   if (!line.read(argc, argv)) {
     return false;

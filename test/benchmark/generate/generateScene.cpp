@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generate/scene.h"
 
+#include "frames/filePattern.h"
+#include "frames/imageFile.h"
+#include "frames/videoFile.h"
 #include "generate/variants.h"
 
 #include <visp3/core/vpException.h>
@@ -55,6 +58,19 @@ std::string effectText(const SceneOptions &options)
   }
   return text;
 }
+
+// Of the images that were written, since threads render them in any order.
+void writeVideo(const SceneOptions &options)
+{
+  const double framesPerSecond = 25.; // As --help says.
+  const std::string scene = options.dataset + "/" + sceneName(options);
+  const std::string extension = options.jpegQuality > 0 ? ".jpg" : ".png";
+  programs::VideoFile video("--video", scene + ".mp4", framesPerSecond);
+  const programs::FilePattern images(scene + "/rgb/%06d" + extension);
+  for (int frame = 0; frame < options.frames; ++frame) {
+    video.write(programs::readColorImage(images.name(frame)), frame);
+  }
+}
 } // namespace
 
 std::string sceneName(const SceneOptions &options)
@@ -104,6 +120,9 @@ std::vector<programs::BopFrame> generateScene(const SceneOptions &options, const
     std::rethrow_exception(failure);
   }
   writer.writeTruth(truth);
+  if (options.video) {
+    writeVideo(options);
+  }
   return truth;
 }
 

@@ -28,6 +28,7 @@ struct SceneOptions
   double unit = 1.;      //!< Metres per unit of a mesh.
   double meshError = 0.; //!< Strength of the errors of the mesh in models/; the one that is rendered is exact.
   int jpegQuality = 0;   //!< Of images in JPEG, 1 to 100; 0: in PNG.
+  bool video = false;    //!< Write the images as a video too, beside the scene's folder.
   int jobs = 1;          //!< Threads; the result does not depend on their number.
 };
 
