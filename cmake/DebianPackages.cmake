@@ -2,8 +2,19 @@
 # cpack -G DEB: the libraries, what programs are built with, the tools, and the documentation, as Debian has them.
 set(CPACK_PACKAGE_NAME visp-multicue)
 set(CPACK_PACKAGE_VENDOR "")
-set(CPACK_PACKAGE_CONTACT "Maintainers of ViSP multi-cue tracking <root@localhost>"
-  CACHE STRING "Name and address of who makes the packages")
+# Who makes the packages, as Debian's own tools ask for it; else who made the last commit. Without either cpack says that a
+# contact is missing.
+set(contact "")
+if(DEFINED ENV{DEBEMAIL})
+  set(contact "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+else()
+  find_package(Git QUIET)
+  if(GIT_FOUND)
+    execute_process(COMMAND ${GIT_EXECUTABLE} log -1 "--format=%an <%ae>" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+      OUTPUT_VARIABLE contact OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  endif()
+endif()
+set(CPACK_PACKAGE_CONTACT "${contact}" CACHE STRING "Name and address of who makes the packages")
 set(CPACK_PACKAGE_HOMEPAGE_URL "https://visp.inria.fr")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

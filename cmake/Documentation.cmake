@@ -25,6 +25,7 @@ if(NOT DOXYGEN_FOUND OR NOT TARGET Doxygen::dot)
 endif()
 
 set(doc_pictures ${doc_folder}/run/pictures)
+set(doc_printed ${doc_folder}/run/printed)
 configure_file(cmake/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
 add_custom_target(doc
   COMMAND ${CMAKE_COMMAND} -E make_directory ${doc_folder}
