@@ -4,6 +4,7 @@
 // The library keeps them to itself.
 #include "search/vpContourScan.cpp"
 #include "search/vpPointProjection.cpp"
+#include "search/vpSameSide.cpp"
 
 #include <catchMain.h>
 

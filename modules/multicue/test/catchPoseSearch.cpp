@@ -7,6 +7,7 @@
 #include "search/vpPointProjection.cpp"
 #include "search/vpPoseScore.cpp"
 #include "search/vpPoseSearch.cpp"
+#include "search/vpSameSide.cpp"
 
 #include <catchMain.h>
 

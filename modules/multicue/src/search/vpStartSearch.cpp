@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "search/vpStartSearch.h"
 
+#include "search/vpSameSide.h"
+
 #include <visp3/se3/vpPoseRandom.h>
 
 #include <Eigen/Geometry>
@@ -29,8 +31,7 @@ const double apart = 0.7;
 Eigen::Matrix3d turnTo(const Eigen::Vector3d &from, const Eigen::Vector3d &to, double roll)
 {
   const Eigen::Vector3d sight = to.normalized();
-  return Eigen::AngleAxisd(roll, sight).toRotationMatrix() *
-         Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  return Eigen::AngleAxisd(roll, sight).toRotationMatrix() * vpSmallestTurn(from, to);
 }
 } // namespace
 
