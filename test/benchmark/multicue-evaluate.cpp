@@ -9,6 +9,8 @@
 #include "evaluate/tables.h"
 #include "program/runProgram.h"
 
+#include <visp3/model/vpWholeFile.h>
+
 #include <iostream>
 
 namespace {
@@ -31,11 +33,11 @@ int main(int argc, const char *argv[])
     if (!evaluation.runs.empty()) {
       const std::vector<bench::StateGroup> groups = bench::stateGroups(evaluation);
       const std::string table = bench::toMarkdown(evaluation) + "\nState and score:\n\n" + bench::stateMarkdown(groups);
-      bench::writeFile(options.out + "/summary.csv", bench::toCsv(evaluation));
-      bench::writeFile(options.out + "/summary.md", table);
-      bench::writeFile(options.out + "/state.csv", bench::stateCsv(groups));
-      bench::writeFile(options.out + "/reliability.csv", bench::reliabilityCsv(groups));
-      bench::writeFile(options.out + "/report.html", bench::toHtml(evaluation));
+      vpWholeFile::write(options.out + "/summary.csv", bench::toCsv(evaluation));
+      vpWholeFile::write(options.out + "/summary.md", table);
+      vpWholeFile::write(options.out + "/state.csv", bench::stateCsv(groups));
+      vpWholeFile::write(options.out + "/reliability.csv", bench::reliabilityCsv(groups));
+      vpWholeFile::write(options.out + "/report.html", bench::toHtml(evaluation));
       std::cout << table << "\nMore in " << options.out << "/report.html and summary.csv" << std::endl;
     }
     printFailures("Left out:", evaluation.skipped);

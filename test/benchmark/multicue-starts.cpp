@@ -4,9 +4,10 @@
   Starts trackers at poses that are off the truth, or where the object is not, and tells how often they find it and how
   often they say so.
 */
-#include "evaluate/runFiles.h"
 #include "program/runProgram.h"
 #include "starts/startTrials.h"
+
+#include <visp3/model/vpWholeFile.h>
 
 #include <iostream>
 
@@ -21,9 +22,9 @@ int main(int argc, const char *argv[])
     if (!results.records.empty()) {
       const std::vector<bench::StartSummary> summaries = bench::summariseStarts(results.records);
       const std::string table = bench::startMarkdown(summaries);
-      bench::writeFile(options.out + "/starts.csv", bench::startsCsv(results.records));
-      bench::writeFile(options.out + "/summary.csv", bench::startSummaryCsv(summaries));
-      bench::writeFile(options.out + "/summary.md", table);
+      vpWholeFile::write(options.out + "/starts.csv", bench::startsCsv(results.records));
+      vpWholeFile::write(options.out + "/summary.csv", bench::startSummaryCsv(summaries));
+      vpWholeFile::write(options.out + "/summary.md", table);
       std::cout << table << "\nEvery trial is in " << options.out << "/starts.csv" << std::endl;
     }
     for (const std::string &failure : results.failures) {

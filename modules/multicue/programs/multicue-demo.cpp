@@ -10,10 +10,10 @@
 #include "program/runProgram.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <opencv2/imgproc.hpp>
 
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -107,8 +107,8 @@ void run(const Options &options)
     }
   }
   std::cout << text << "saved: " << film.file() << std::endl;
-  if (!options.summary.empty() && !(std::ofstream(options.summary) << text << std::flush)) {
-    throw vpException(vpException::ioError, "--summary %s cannot be written", options.summary.c_str());
+  if (!options.summary.empty()) {
+    vpWholeFile::write(options.summary, text);
   }
 }
 } // namespace

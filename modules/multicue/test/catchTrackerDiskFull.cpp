@@ -4,11 +4,14 @@
 
 #include "plainScene.h"
 
+#include <diskLimit.h>
+
 #include <visp3/core/vpException.h>
 #include <visp3/model/vpViewSphere.h>
 
 #include <filesystem>
 #include <functional>
+#include <iterator>
 
 namespace {
 namespace fs = std::filesystem;
@@ -25,10 +28,32 @@ std::string fullFile(const meshFiles::TemporaryFolder &folder, const std::string
   return folder.path(name);
 }
 
-void checkNamed(const std::string &file, const std::function<void(const std::string &)> &save)
+using Save = std::function<void(const std::string &)>;
+
+void checkNamed(const std::string &file, const Save &save)
 {
   if (!file.empty()) {
     CHECK_THAT(messageOf([&] { save(file); }), ContainsSubstring(file));
+  }
+}
+
+std::string textOf(const std::string &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return std::string((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+}
+
+//! A disk that has no room for the second of two files.
+void checkOldStays(const meshFiles::TemporaryFolder &folder, const std::string &name, const Save &save)
+{
+  const std::string file = folder.path(name);
+  save(file);
+  const std::string before = textOf(file);
+  REQUIRE(before.size() > 10);
+  const DiskLimit limit(before.size() / 2);
+  if (limit.isSet) {
+    checkNamed(file, save);
+    CHECK(textOf(file) == before);
   }
 }
 } // namespace
@@ -45,9 +70,12 @@ TEST_CASE("Where the disk is full, what was to be saved is named, and tracking g
   tracker.initFromPose(scene.draw(plainScene::poseAt(0)), plainScene::poseAt(0));
   tracker.track(scene.draw(plainScene::poseAt(1)));
 
-  checkNamed(fullFile(folder, "settings.json"), [&](const std::string &file) { tracker.saveConfigFile(file); });
-  checkNamed(fullFile(folder, "result.json"),
-             [&](const std::string &file) { tracker.getTrackingResult().saveToFile(file); });
+  const Save saveSettings = [&](const std::string &file) { tracker.saveConfigFile(file); };
+  const Save saveResult = [&](const std::string &file) { tracker.getTrackingResult().saveToFile(file); };
+  checkNamed(fullFile(folder, "settings.json"), saveSettings);
+  checkNamed(fullFile(folder, "result.json"), saveResult);
+  checkOldStays(folder, "old-settings.json", saveSettings);
+  checkOldStays(folder, "old-result.json", saveResult);
   tracker.track(scene.draw(plainScene::poseAt(2)));
   CHECK(tracker.getTrackingState() == vpTrackingState::TRACKING);
 }
@@ -61,6 +89,8 @@ TEST_CASE("Where the disk is full, a file of views is named, and the views stay"
   options.level = 0;
   vpViewSphere sphere(model, options, std::make_unique<vpCpuRenderer>(model));
   sphere.make(3);
-  checkNamed(fullFile(folder, "views"), [&](const std::string &file) { sphere.save(file); });
+  const Save save = [&](const std::string &file) { sphere.save(file); };
+  checkNamed(fullFile(folder, "views"), save);
+  checkOldStays(folder, "old-views", save);
   CHECK(sphere.isMade(3));
 }

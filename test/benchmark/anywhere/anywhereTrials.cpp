@@ -5,6 +5,7 @@
 #include "evaluate/imageStore.h"
 #include "evaluate/poseError.h"
 #include "evaluate/protocol.h"
+#include "frames/pictureFile.h"
 #include "starts/startPlan.h"
 
 #include <visp3/core/vpException.h>
@@ -12,8 +13,6 @@
 #include <visp3/core/vpIoTools.h>
 #include <visp3/core/vpTime.h>
 #include <visp3/multicue/vpMbMultiCueTracker.h>
-
-#include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -156,7 +155,7 @@ private:
     programs::drawText(picture, {isAccepted ? "accepted" : "refused", m_tracker->text()}, {8, 20}, foundColor);
     std::ostringstream name;
     name << m_options.overlays << "/" << m_object.name << "_in_" << sequence.scene << "_" << frame.id << ".png";
-    cv::imwrite(name.str(), picture);
+    programs::writePicture(name.str(), picture);
   }
 
   void drawAt(cv::Mat &picture, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, const cv::Scalar &color)

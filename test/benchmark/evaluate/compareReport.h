@@ -5,13 +5,14 @@
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpMath.h>
 #include <visp3/core/vpThetaUVector.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -56,13 +57,14 @@ public:
 
   void writePoses(const std::string &name, const compareRun &run) const
   {
-    std::ofstream file(name);
+    std::ostringstream file;
     file << std::setprecision(17);
     for (const vpHomogeneousMatrix &cMo : run.poses) {
       for (unsigned int i = 0; i < 12; ++i) {
         file << cMo.data[i] << (i < 11 ? " " : "\n");
       }
     }
+    vpWholeFile::write(name, file.str());
   }
 
   void print(bool hasTruth) const

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "evaluate/runFiles.h"
 
-#include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <iomanip>
@@ -114,18 +113,6 @@ FrameRecord toRecord(const Json &json)
 }
 } // namespace
 
-void writeFile(const std::string &file, const std::string &text)
-{
-  const std::string unfinished = file + ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream || std::rename(unfinished.c_str(), file.c_str()) != 0) {
-    throw vpException(vpException::ioError, "'%s' cannot be written: check the folder and the space that is left",
-                      file.c_str());
-  }
-}
-
 void writeRun(const std::string &folder, const RunResult &run, const std::string &fingerprint)
 {
   Json json = {{"format", format}, {"fingerprint", fingerprint}, {"frames", Json::array()}, {"stages", Json::array()}};
@@ -136,8 +123,8 @@ void writeRun(const std::string &folder, const RunResult &run, const std::string
     json["frames"].push_back(toJson(record));
   }
   const std::string name = folder + "/" + run.summary.key.fileName();
-  writeFile(name + ".csv", toCsv(run.records));
-  writeFile(name + ".json", json.dump()); // The last one: where it is there, the run is whole.
+  vpWholeFile::write(name + ".csv", toCsv(run.records));
+  vpWholeFile::write(name + ".json", json.dump()); // The last one: where it is there, the run is whole.
 }
 
 bool readRun(const std::string &folder, const RunKey &key, const std::string &fingerprint, double diameter,

@@ -24,8 +24,5 @@ void writeRun(const std::string &folder, const RunResult &run, const std::string
 bool readRun(const std::string &folder, const RunKey &key, const std::string &fingerprint, double diameter,
              bool symmetric, RunResult &run);
 
-//! Replaces a file in one step. \throw vpException naming it where it cannot be written.
-void writeFile(const std::string &file, const std::string &text);
-
 } // namespace bench
 #endif

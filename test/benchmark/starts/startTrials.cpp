@@ -8,6 +8,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpIoTools.h>
 #include <visp3/core/vpMath.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <nlohmann/json.hpp>
 
@@ -126,7 +127,7 @@ private:
       }
       oneMore();
     }
-    writeFile(m_file, Json(results).dump());
+    vpWholeFile::write(m_file, Json(results).dump());
   }
 
   SequenceObject filesOf(std::size_t model) const

@@ -5,6 +5,8 @@
 #include "generateChecks.h"
 #include "track/trackRun.h"
 
+#include <diskLimit.h>
+
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpExponentialMap.h>
 #include <visp3/core/vpPoseVector.h>
@@ -116,6 +118,52 @@ TEST_CASE("A run tracks every image, and writes poses, pictures, summary and a d
   CHECK(recorded.frames.back().hasTruth);
   CHECK(distance(rows.back(), recorded.frames.back().cMo) < 1e-6);
   CHECK(recorded.object.diameter == Approx(bench::openSequence(scene.path("data"), "box_regular").object.diameter));
+}
+
+TEST_CASE("What was tracked and recorded until an image cannot be read is kept")
+{
+  const BoxScene scene;
+  programs::TrackOptions options = scene.options();
+  options.record = scene.path("recorded");
+  std::ofstream(scene.path("data/box_regular/rgb/000004.png")) << "no picture";
+  CHECK_THROWS_WITH(programs::TrackRun(options).run(), ContainsSubstring("000004.png"));
+  CHECK(scene.poses().size() == 4);
+  CHECK(bench::openSequence(scene.path("recorded"), "000001").frames.size() == 4);
+}
+
+TEST_CASE("A run that does not get to its first frame leaves the files of the one before")
+{
+  const BoxScene scene;
+  programs::TrackOptions options = scene.options();
+  std::ofstream(scene.path("poses.csv")) << "title\n1,2,3\n";
+  options.start.pose = scene.path("none.pos");
+  CHECK_THROWS_WITH(programs::TrackRun(options).run(), ContainsSubstring("none.pos"));
+  CHECK(scene.poses() == std::vector<std::vector<std::string>>{{"1", "2", "3"}});
+}
+
+TEST_CASE("Where the disk is full a run names what cannot be written, and the poses of the one before stay")
+{
+  const BoxScene scene;
+  programs::TrackOptions options = scene.options();
+  std::ofstream(scene.path("poses.csv")) << "title\n1,2,3\n";
+  const DiskLimit limit(200);
+  if (!limit.isSet) {
+    WARN("Left out: no limit of the size of files");
+    return;
+  }
+  CHECK_THROWS_WITH(programs::TrackRun(options).run(), ContainsSubstring("poses.csv"));
+  CHECK(scene.poses() == std::vector<std::vector<std::string>>{{"1", "2", "3"}});
+}
+
+TEST_CASE("A new recording takes the truth of an earlier one away before its images come")
+{
+  const BoxScene scene;
+  programs::TrackOptions options = scene.options();
+  options.record = scene.path("recorded");
+  programs::TrackRun(options).run();
+  REQUIRE_FALSE(bench::openSequence(scene.path("recorded"), "000001").frames.empty());
+  const programs::BopSceneWriter begun(scene.path("recorded"), "000001", 1, vpCameraParameters());
+  CHECK_THROWS_WITH(bench::openSequence(scene.path("recorded"), "000001"), ContainsSubstring("scene_"));
 }
 
 TEST_CASE("A rough start finds the object about a pose that is off, and a pose file does not")

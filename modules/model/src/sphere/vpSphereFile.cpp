@@ -4,6 +4,7 @@
 #include "sphere/vpFingerprint.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <cstring>
 #include <fstream>
@@ -88,12 +89,7 @@ void vpSphereFile::write(const std::vector<vpSphereView> &views, const std::vect
   }
   const std::uint64_t sum = checksum(content, content.size());
   append(content, &sum, 1);
-  std::ofstream stream(m_name, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (!stream) {
-    refuse("cannot be written: check its folder, the right to write there, and the free space");
-  }
+  vpWholeFile::write(m_name, content);
 }
 
 // Unlike the iterators of a stream's buffer, the operator throws nothing of its own where the file is a folder.

@@ -7,10 +7,10 @@
 #include "drawing/modelDrawing.h"
 #include "frames/frameReader.h"
 #include "frames/imageFile.h"
+#include "frames/pictureFile.h"
 
 #include <visp3/core/vpImageConvert.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace programs {
@@ -74,13 +74,6 @@ cv::Mat toPicture(const vpImage<vpRGBa> &I)
   return picture;
 }
 
-void write(const std::string &file, const cv::Mat &picture)
-{
-  if (!cv::imwrite(file, picture)) {
-    throw vpException(vpException::ioError, file + " cannot be written");
-  }
-}
-
 // The model over the image where it starts, with what is wrong.
 void writeOverlay(const std::string &file, vpMbMultiCueTracker &tracker, const vpImage<vpRGBa> &I,
                   const vpHomogeneousMatrix &cMo, const CheckReport &report)
@@ -92,7 +85,7 @@ void writeOverlay(const std::string &file, vpMbMultiCueTracker &tracker, const v
   drawModel(picture, tracker, cMo, cam, state, 2);
   const cv::Point corner(10, 22);
   drawText(picture, report.faults.empty() ? std::vector<std::string>{"no fault"} : report.faults, corner, state);
-  write(file, picture);
+  writePicture(file, picture);
 }
 } // namespace
 
@@ -115,7 +108,7 @@ CheckReport checkSetup(const Setup &setup)
   if (setup.pose.empty()) {
     if (!setup.overlay.empty() && I.getSize() > 0) {
       tryStep("overlay", report, [&] {
-        write(setup.overlay, toPicture(I));
+        writePicture(setup.overlay, toPicture(I));
         report.say("overlay", setup.overlay + ", the image alone: there is no --pose");
       });
     }

@@ -2,11 +2,11 @@
 #include "dataset/bopWriter.h"
 
 #include "dataset/largestDistance.h"
+#include "frames/pictureFile.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 #include <visp3/se3/vpExactNumber.h>
-
-#include <opencv2/imgcodecs.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -22,16 +22,6 @@ namespace programs {
 namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-void writeText(const std::string &file, const std::string &text)
-{
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) {
-    throw vpException(vpException::ioError, "%s cannot be written: is the folder writable, or the disk full?",
-                      file.c_str());
-  }
-}
 
 std::string number(double value)
 {
@@ -102,7 +92,7 @@ void writePly(const BopModel &model, const std::string &file)
          "property uchar blue\nelement face "
       << model.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n"
       << vertices.text() << faces.str();
-  writeText(file, out.str());
+  vpWholeFile::write(file, out.str());
 }
 
 std::string textureName(const std::string &stem, std::size_t image)
@@ -117,13 +107,9 @@ void writeMaterials(const BopModel &model, const std::string &path)
   out << "newmtl plain\nKd 1 1 1\n";
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     out << "newmtl picture" << i << "\nKd 1 1 1\nmap_Kd " << textureName(stem, i) << "\n";
-    const std::string file = textureName(path, i);
-    if (!cv::imwrite(file, model.images[i])) {
-      throw vpException(vpException::ioError, "%s cannot be written: is the folder writable, or the disk full?",
-                        file.c_str());
-    }
+    writePicture(textureName(path, i), model.images[i]);
   }
-  writeText(path + ".mtl", out.str());
+  vpWholeFile::write(path + ".mtl", out.str());
 }
 
 //! Vertices that carry a colour too where a triangle has no picture: most programs read that.
@@ -147,8 +133,8 @@ void writeObj(const BopModel &model, const std::string &path)
     }
     faces << "\n";
   }
-  writeText(path + ".obj", "# Metres\nmtllib " + fs::path(path).filename().string() + ".mtl\n" + vertices.text() +
-                               textures.text() + faces.str());
+  vpWholeFile::write(path + ".obj", "# Metres\nmtllib " + fs::path(path).filename().string() + ".mtl\n" +
+                                        vertices.text() + textures.text() + faces.str());
   writeMaterials(model, path);
 }
 
@@ -181,7 +167,7 @@ void writeInfo(const std::string &file, const BopModel &model)
     entry[std::string("size_") + names[i]] = size(i);
   }
   all[std::to_string(model.id)] = entry;
-  writeText(file, all.dump(2) + "\n");
+  vpWholeFile::write(file, all.dump(2) + "\n");
 }
 } // namespace
 
@@ -207,7 +193,7 @@ void writeBopModel(const std::string &dataset, const BopModel &model)
     writeObj(model, path);
   }
   if (!model.cao.empty()) {
-    writeText(path + ".cao", model.cao);
+    vpWholeFile::write(path + ".cao", model.cao);
   } else {
     fs::remove(path + ".cao", error);
   }

@@ -2,6 +2,7 @@
 #include "dataset/bopWriter.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -11,12 +12,16 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace programs {
 namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+// A scene is one where the last of them is there.
+const char *const truthFiles[] = {"scene_camera.json", "scene_gt_info.json", "scene_gt.json"};
 
 void makeFolder(const fs::path &folder)
 {
@@ -40,7 +45,7 @@ using Entries = std::vector<std::pair<int, json>>;
 
 void writeJson(const std::string &file, const Entries &entries)
 {
-  std::ofstream out(file);
+  std::ostringstream out;
   out << "{";
   const char *separator = "\n";
   for (const auto &entry : entries) {
@@ -48,9 +53,7 @@ void writeJson(const std::string &file, const Entries &entries)
     separator = ",\n";
   }
   out << "\n}\n";
-  if (!out.flush()) {
-    throw vpException(vpException::ioError, "%s cannot be written: is the disk full?", file.c_str());
-  }
+  vpWholeFile::write(file, out.str());
 }
 
 // As BOP has it, -1 where it was not computed.
@@ -76,6 +79,9 @@ BopSceneWriter::BopSceneWriter(const std::string &dataset, const std::string &sc
 {
   const fs::path images = fs::path(m_folder) / "rgb";
   makeFolder(images);
+  for (const char *truth : truthFiles) { // First: it belongs to the earlier images.
+    fs::remove(fs::path(m_folder) / truth);
+  }
   for (const fs::directory_entry &entry : fs::directory_iterator(images)) {
     if (isNumberedImage(entry.path())) {
       fs::remove(entry.path());
@@ -119,9 +125,10 @@ void BopSceneWriter::writeTruth(const std::vector<BopFrame> &frames) const
                        {"bbox_visib", frame.boxVisible}};
     info.emplace_back(frame.id, frame.hasPose ? json::array({seen}) : json::array());
   }
-  writeJson(m_folder + "/scene_camera.json", camera);
-  writeJson(m_folder + "/scene_gt.json", truth);
-  writeJson(m_folder + "/scene_gt_info.json", info);
+  const Entries *const entries[] = {&camera, &info, &truth};
+  for (std::size_t i = 0; i < std::size(truthFiles); ++i) {
+    writeJson(m_folder + "/" + truthFiles[i], *entries[i]);
+  }
 }
 
 } // namespace programs

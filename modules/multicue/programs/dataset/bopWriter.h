@@ -72,7 +72,8 @@ void writeBopModel(const std::string &dataset, const BopModel &model);
 class BopSceneWriter
 {
 public:
-  //! Makes the folders. Numbered images of an earlier scene of this name are removed.
+  //! Makes the folders. Truth and numbered images of an earlier scene of this name are
+  //! removed.
   //! \throw vpException naming the folder that cannot be made.
   //! \param jpegQuality Of images in JPEG, 1 to 100; 0: in PNG.
   BopSceneWriter(const std::string &dataset, const std::string &scene, int objectId, const vpCameraParameters &cam,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <exception>
 #include <iostream>
 #include <thread>
 
@@ -206,12 +207,9 @@ void TrackRun::printProgress(const TrackedFrame &frame)
   }
 }
 
-void TrackRun::run()
+void TrackRun::trackFrames()
 {
-  bool goesOn = findStart();
-  if (!goesOn) {
-    throw vpException(vpException::fatalError, "The object was not found in any image: no start");
-  }
+  bool goesOn = true;
   while (goesOn) {
     const TrackedFrame frame = track();
     cv::Mat picture;
@@ -222,10 +220,26 @@ void TrackRun::run()
     printProgress(frame);
     goesOn = show(picture) && !interrupted && nextFrame();
   }
+}
+
+void TrackRun::run()
+{
+  if (!findStart()) {
+    throw vpException(vpException::fatalError, "The object was not found in any image: no start");
+  }
+  std::exception_ptr failure;
+  try {
+    trackFrames();
+  } catch (const std::exception &) {
+    failure = std::current_exception(); // Of a camera that was unplugged, say: what was tracked until then is kept.
+  }
+  m_log.finish();
   if (m_recorder) {
     m_recorder->finish();
   }
-  m_log.finish();
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
   std::cout << m_log.summary();
   if (m_video) {
     std::cout << "saved: " << m_video->file() << std::endl;

@@ -29,6 +29,8 @@ private:
   void openOutputs();
   //! Shows images until one tells where the object is. \return False at the end of the images.
   bool findStart();
+  //! To the end of the images, or until the user ends it.
+  void trackFrames();
   TrackedFrame track();
   void writeOut(const TrackedFrame &frame, const cv::Mat &picture);
   //! Shows a picture and does what keys say. \return False where the run ends.

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "track/trackingLog.h"
 
-#include <visp3/core/vpException.h>
-
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
 
 namespace programs {
 namespace {
-void open(std::ofstream &stream, const std::string &option, const std::string &file)
+std::unique_ptr<vpWholeFile> open(const std::string &file)
 {
-  if (file.empty()) {
-    return;
-  }
-  stream.open(file);
-  if (!stream) {
-    throw vpException(vpException::ioError, option + " " + file + " cannot be written: does the folder exist?");
-  }
-}
-
-void close(std::ofstream &stream, const std::string &file)
-{
-  if (!file.empty() && !stream.flush()) {
-    throw vpException(vpException::ioError, file + " could not be written to its end: is the disk full?");
-  }
+  return file.empty() ? nullptr : std::make_unique<vpWholeFile>(file);
 }
 
 // The value that this share of the values does not exceed.
@@ -37,24 +22,29 @@ double quantile(std::vector<double> values, double share)
 } // namespace
 
 TrackingLog::TrackingLog(const std::string &posesFile, const std::string &summaryFile)
-    : m_posesFile(posesFile), m_summaryFile(summaryFile)
+    : m_poses(open(posesFile)), m_summary(open(summaryFile))
 {
-  open(m_poses, "--poses", posesFile);
-  open(m_summary, "--summary", summaryFile);
-  m_poses << "frame,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23,ms,state,score\n" << std::setprecision(9);
+  if (m_poses) {
+    m_poses->stream() << "frame,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23,ms,state,score\n"
+                      << std::setprecision(9);
+  }
 }
 
 void TrackingLog::add(const TrackedFrame &frame)
 {
   m_milliseconds.push_back(frame.milliseconds);
   m_states[frame.state]++;
-  m_poses << frame.number << ",";
+  if (!m_poses) {
+    return;
+  }
+  std::ostream &poses = m_poses->stream();
+  poses << frame.number << ",";
   for (unsigned int i = 0; i < 3; i++) {
     for (unsigned int j = 0; j < 4; j++) {
-      m_poses << frame.cMo[i][j] << ",";
+      poses << frame.cMo[i][j] << ",";
     }
   }
-  m_poses << frame.milliseconds << "," << toString(frame.state) << "," << frame.score << "\n";
+  poses << frame.milliseconds << "," << toString(frame.state) << "," << frame.score << "\n";
 }
 
 std::string TrackingLog::summary() const
@@ -78,9 +68,13 @@ std::string TrackingLog::summary() const
 
 void TrackingLog::finish()
 {
-  m_summary << summary();
-  close(m_poses, m_posesFile);
-  close(m_summary, m_summaryFile);
+  if (m_poses) {
+    m_poses->close();
+  }
+  if (m_summary) {
+    m_summary->stream() << summary();
+    m_summary->close();
+  }
 }
 
 } // namespace programs

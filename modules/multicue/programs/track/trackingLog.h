@@ -3,10 +3,11 @@
 #define programsTrackingLog_h
 
 #include <visp3/core/vpHomogeneousMatrix.h>
+#include <visp3/model/vpWholeFile.h>
 #include <visp3/multicue/vpTrackingState.h>
 
-#include <fstream>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct TrackedFrame
   double score = 0.;                                  //!< How far to believe the pose, [0, 1].
 };
 
-//! Writes the poses while the program runs, and a summary at the end.
+//! Writes the poses while the program runs, and a summary at the end. The files have their names when finish() is
+//! done; until then, those of an earlier run are there.
 class TrackingLog
 {
 public:
@@ -46,14 +48,13 @@ public:
   //! \return The summary as text, one "name: value" a line.
   std::string summary() const;
 
-  //! Writes the summary. \throw vpException naming a file that could not be written to its end.
+  //! Writes the summary, and puts both files in their places. \throw vpException naming a file that could not be
+  //! written to its end.
   void finish();
 
 private:
-  std::string m_posesFile;
-  std::string m_summaryFile;
-  std::ofstream m_poses;
-  std::ofstream m_summary;
+  std::unique_ptr<vpWholeFile> m_poses;
+  std::unique_ptr<vpWholeFile> m_summary;
   std::vector<double> m_milliseconds;
   std::vector<double> m_projectionErrors;
   std::map<vpTrackingState, int> m_states;

@@ -8,11 +8,11 @@
 #include "config/settingsXml.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 BEGIN_VISP_NAMESPACE
@@ -92,12 +92,7 @@ void vpSettingsDetail::writeSettings(const std::string &file, const vpMultiCueSe
                       "Configuration file '" + file + "' is to be JSON: its name must end in .json");
   }
   settings.check();
-  std::ofstream stream(file, std::ios::binary);
-  stream << jsonText(settings, preset);
-  stream.close();
-  if (!stream) {
-    throw vpException(vpException::ioError, "Configuration file '" + file + "' cannot be written");
-  }
+  vpWholeFile::write(file, jsonText(settings, preset));
 }
 
 vpMultiCueSettings vpMultiCueSettingsReader::read(const std::string &file, const vpMultiCueSettings &defaults,

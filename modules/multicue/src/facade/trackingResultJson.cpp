@@ -4,6 +4,7 @@
 #include "motion/vpPoseCheck.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpWholeFile.h>
 
 #include <nlohmann/json.hpp>
 
@@ -271,12 +272,7 @@ vpMbTrackingResult vpMbTrackingResult::fromJson(const std::string &text)
 void vpMbTrackingResult::saveToFile(const std::string &filename) const
 {
   constexpr int indent = 2;
-  std::ofstream stream(filename, std::ios::binary);
-  stream << toJson(indent) << '\n';
-  stream.close();
-  if (!stream) {
-    throw vpException(vpException::ioError, "Tracking result '" + filename + "' cannot be written");
-  }
+  vpWholeFile::write(filename, toJson(indent) + '\n');
 }
 
 vpMbTrackingResult vpMbTrackingResult::readFromJsonFile(const std::string &filename)

@@ -3,8 +3,6 @@
 
 #include <exception>
 #include <filesystem>
-#include <random>
-#include <sstream>
 #include <system_error>
 
 #ifdef __linux__
@@ -74,23 +72,7 @@ void vpViewMaker::make()
     m_made.store(i + 1, std::memory_order_release);
   }
   if (isNew && !m_folder.empty() && !m_mustStop) {
-    keep();
-  }
-}
-
-// Another program may do the same just now: each writes a file of its own, and the name is given to a whole one.
-void vpViewMaker::keep()
-{
-  const std::filesystem::path file = std::filesystem::path(m_folder) / m_sphere.fileName();
-  std::ostringstream own;
-  own << file.string() << '.' << std::hex << std::random_device()();
-  try {
-    m_sphere.save(own.str());
-    std::filesystem::rename(own.str(), file);
-  } catch (const std::exception &) {
-    std::error_code ignored;
-    std::filesystem::remove(own.str(), ignored);
-    throw;
+    m_sphere.save((std::filesystem::path(m_folder) / m_sphere.fileName()).string());
   }
 }
 

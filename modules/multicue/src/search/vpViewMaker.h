@@ -34,7 +34,6 @@ public:
 private:
   void run() noexcept;
   void make();
-  void keep();
 
   vpViewSphere &m_sphere;
   std::string m_folder;
