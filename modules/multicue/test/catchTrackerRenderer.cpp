@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/vpFallbackRenderer.cpp" // The library keeps it to itself.
+
 #include <catchMain.h>
 #include <exceptionMessage.h>
 
@@ -27,6 +29,7 @@ enum class Fault
 
 Fault fault = Fault::NONE;
 long drawn = 0;
+bool fallsBack = false; // As the library's renderers do.
 
 float spoilt(float depth)
 {
@@ -75,16 +78,19 @@ BEGIN_VISP_NAMESPACE
 __attribute__((weak)) std::unique_ptr<vpModelRenderer>
 vpModelRenderer::create(const std::shared_ptr<const vpTrackedModel> &model, Preference)
 {
-  return std::make_unique<FaultyRenderer>(model);
+  auto renderer = std::make_unique<FaultyRenderer>(model);
+  return fallsBack ? std::unique_ptr<vpModelRenderer>(std::make_unique<vpFallbackRenderer>(std::move(renderer), model))
+                   : std::move(renderer);
 }
 END_VISP_NAMESPACE
 
 namespace {
 struct Followed
 {
-  explicit Followed(bool hasAllCues)
+  explicit Followed(bool hasAllCues, bool withFallback = false)
   {
     fault = Fault::NONE;
+    fallsBack = withFallback;
     const std::string file = meshFiles::temporaryFile("step.stl");
     std::ofstream(file) << meshFiles::asciiStl(stepTriangles());
     tracker.setFrameDeadline(0.);
@@ -178,5 +184,27 @@ TEST_CASE("Depth buffers full of garbage leave a pose that can be, a reason, and
     }
     CHECK(followed.tracker.getTrackingState() != vpTrackingState::LOST); // After a loss it may wait to be sure.
     CHECK(followed.isRight(13));
+  }
+}
+
+TEST_CASE("Where a renderer fails the CPU draws from then on, which is told once, and tracking goes on", "[tracker]")
+{
+  const bool hasAllCues = GENERATE(false, true);
+  for (const Fault kind :
+       {Fault::REFUSED, Fault::EMPTY, Fault::NOT_A_NUMBER, Fault::INFINITE, Fault::NEGATIVE, Fault::NEAR}) {
+    CAPTURE(hasAllCues, static_cast<int>(kind));
+    Followed followed(hasAllCues, true);
+    if (!takesFaultyRenderer(followed)) {
+      return;
+    }
+    fault = kind;
+    for (int i = 5; i < 9; ++i) {
+      CHECK_NOTHROW(followed.show(i));
+      const std::string text = followed.tracker.getTrackingResult().text;
+      CHECK((text.find("faulty failed") != std::string::npos) == (i == 5));
+      CHECK((kind != Fault::REFUSED || i > 5 || text.find("the context is lost") != std::string::npos));
+      CHECK(followed.isTracking());
+      CHECK(followed.isRight(i));
+    }
   }
 }

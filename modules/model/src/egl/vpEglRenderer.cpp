@@ -9,6 +9,11 @@
 
 BEGIN_VISP_NAMESPACE
 
+namespace {
+// No depth: what a context that is lost leaves as it was must not be taken for what it drew.
+constexpr float unread = -1.F;
+} // namespace
+
 class vpEglRenderer::Impl
 {
 public:
@@ -44,7 +49,7 @@ public:
     const std::size_t size = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
     const bool withTriangle = (options.channels & ~static_cast<unsigned int>(vpRenderOptions::DEPTH)) != 0;
     const vpCropCamera camera(cam, view);
-    view.depth.resize(size);
+    view.depth.assign(size, unread);
     m_triangle.resize(withTriangle ? size : 0);
     if (size > 0) {
       const vpEglContext::Scope scope(m_context);

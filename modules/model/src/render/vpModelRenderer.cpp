@@ -2,6 +2,7 @@
 #include <visp3/model/vpModelRenderer.h>
 
 #include "vpCropCamera.h"
+#include "vpFallbackRenderer.h"
 
 #include <visp3/core/vpException.h>
 #include <visp3/model/vpCpuRenderer.h>
@@ -131,7 +132,7 @@ std::unique_ptr<vpModelRenderer> createEgl(const std::shared_ptr<const vpTracked
   try {
     auto renderer = std::make_unique<vpEglRenderer>(model);
     if (preference == vpModelRenderer::EGL || !renderer->isSoftware()) {
-      return renderer;
+      return std::make_unique<vpFallbackRenderer>(std::move(renderer), model);
     }
   } catch (const vpException &e) {
     static std::once_flag told;

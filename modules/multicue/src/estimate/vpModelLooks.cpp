@@ -34,6 +34,7 @@ void vpModelLooks::setModel(std::shared_ptr<const vpTrackedModel> model)
   m_model = std::move(model);
   m_renderer = std::move(renderer);
   m_depthRenderer.reset();
+  m_hasToldFailure = false;
   setSize(0, 0);
 }
 
@@ -49,6 +50,8 @@ void vpModelLooks::setPreference(vpModelRenderer::Preference preference)
 {
   m_renderer = rendererOf(m_model, preference);
   m_preference = preference;
+  m_depthRenderer.reset();
+  m_hasToldFailure = false;
 }
 
 void vpModelLooks::setSize(unsigned int width, unsigned int height)
@@ -122,6 +125,17 @@ double vpModelLooks::depthOf(const vpHomogeneousMatrix &cMo) const
 {
   const Eigen::Vector3d centre = m_model->centre();
   return cMo[2][0] * centre.x() + cMo[2][1] * centre.y() + cMo[2][2] * centre.z() + cMo[2][3];
+}
+
+std::string vpModelLooks::newFailure()
+{
+  for (const vpModelRenderer *renderer : {m_renderer.get(), m_depthRenderer.get()}) {
+    if (!m_hasToldFailure && renderer != nullptr && !renderer->failure().empty()) {
+      m_hasToldFailure = true; // The other one fails for the same reason.
+      return renderer->failure();
+    }
+  }
+  return std::string();
 }
 
 const vpRenderedView &vpModelLooks::renderDepth(const vpHomogeneousMatrix &cMo)

@@ -10,6 +10,7 @@
 #include <visp3/model/vpModelView.h>
 
 #include <memory>
+#include <string>
 
 BEGIN_VISP_NAMESPACE
 
@@ -54,6 +55,9 @@ public:
   //! The frame with the object's orientation at the middle of its box.
   vpHomogeneousMatrix centreFrame() const { return vpCentreFrame(*m_model); }
 
+  //! Why a renderer failed since this was asked last, as a sentence; empty where none did.
+  std::string newFailure();
+
   //! Depth at a pose, for new points.
   const vpRenderedView &renderDepth(const vpHomogeneousMatrix &cMo);
 
@@ -70,6 +74,7 @@ private:
   unsigned long long m_viewedFrame = 0;             // That the view is of.
   std::unique_ptr<vpModelRenderer> m_depthRenderer; // Of convex models, too; made when first needed.
   vpRenderedView m_depth;
+  bool m_hasToldFailure = false;
   vpCameraParameters m_camera;
   unsigned int m_width = 0;
   unsigned int m_height = 0;

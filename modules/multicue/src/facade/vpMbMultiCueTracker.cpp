@@ -155,6 +155,7 @@ template <typename Pixel> void vpMbMultiCueTracker::Impl::trackOn(const vpImage<
   };
   const vpCueFrame image = makeFrame();
   estimate([&](vpHomogeneousMatrix &cMo) { m_engine.track(image, cMo); });
+  m_engine.outcome.failure = m_engine.looks.newFailure();
   if (m_tracker.computeCovariance) {
     m_tracker.covarianceMatrix = m_engine.covariance.ofParameters();
   }

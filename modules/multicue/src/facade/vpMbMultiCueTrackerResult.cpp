@@ -52,8 +52,9 @@ std::string vpMbMultiCueTracker::Impl::reasonText() const
   const std::string detector = said.empty() ? "" : "; " + said;
   const bool coasts = m_engine.outcome.reason == Reason::COASTING;
   const std::string &text = m_engine.outcome.text; // Empty where all was forgotten and nothing came after.
+  const std::string &failed = m_engine.outcome.failure;
   return (text.empty() ? "no image was tracked yet" : text) + (coasts ? "; the pose is the predicted one" : "") +
-         detector;
+         detector + (failed.empty() ? "" : "; " + failed);
 }
 
 vpMbTrackingResult vpMbMultiCueTracker::getTrackingResult() const

@@ -54,6 +54,7 @@ struct vpTrackingOutcome
   vpTrackingState state = vpTrackingState::UNCERTAIN;
   Reason reason = Reason::NOT_STARTED;
   std::string text;       //!< The same as a sentence.
+  std::string failure;    //!< What ended working in the frame and was done without; mostly nothing.
   bool isJudged = false;  //!< An image was tracked since the start.
   bool usesPoints = true; //!< They do not contradict the other cues at the pose.
   Support all;

@@ -95,9 +95,13 @@ public:
   //! What renders, for messages and reports ("CPU", "EGL (llvmpipe ...)").
   virtual std::string name() const = 0;
 
+  //! \return What failed, as a sentence, so that the CPU renders in the place of what was asked for; empty by default.
+  virtual std::string failure() const { return std::string(); }
+
   /*!
     Makes a renderer. Where EGL was asked for, or AUTOMATIC would take it, and it cannot be had, a CPU renderer is
-    returned, and the reason is printed once per process.
+    returned, and the reason is printed once per process. Where EGL fails later, with an error, depths that the object
+    cannot have or nothing where it is in sight, the CPU renders that view and those after it: see failure().
 
     AUTOMATIC goes by the number of triangles alone: drawing on the CPU takes time in proportion to it, a GPU's time
     for a crop is mostly that of giving the order and reading the result. Mesa in software is slower than the CPU

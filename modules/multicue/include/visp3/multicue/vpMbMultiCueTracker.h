@@ -392,7 +392,8 @@ public:
   void setLod(bool useLod, const std::string &name = "") override;
   void setMinLineLengthThresh(double minLineLengthThresh, const std::string &name = "") override;
   void setMinPolygonAreaThresh(double minPolygonAreaThresh, const std::string &name = "") override;
-  //! What draws the depth buffers that hide edges; AUTOMATIC by default.
+  //! What draws the depth buffers that hide edges; AUTOMATIC by default. Where EGL fails in a frame, the CPU draws from
+  //! then on, and vpMbTrackingResult::text of that frame says why.
   void setRenderer(vpModelRenderer::Preference preference);
   //@}
 
