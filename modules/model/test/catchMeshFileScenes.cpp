@@ -120,6 +120,8 @@ TEST_CASE("Nodes that contain themselves, are nested deeply, or multiply, are re
       messageOfFile(folder.write("self.gltf", replaced(gltf(""), "{\"mesh\":0", "{\"children\":[0],\"mesh\":0"))),
       ContainsSubstring("self.gltf") && ContainsSubstring("itself"));
   CHECK_THAT(messageOfFile(folder.write("json.gltf", std::string(200000, '['))), ContainsSubstring("json.gltf"));
+  CHECK_THAT(messageOfFile(folder.write("twice.gltf", gltf("\"meshes\":[],"))),
+             ContainsSubstring("twice.gltf") && ContainsSubstring("'meshes' is there twice"));
 }
 
 TEST_CASE("Names of a .gltf file's buffers and images may be percent-encoded", "[files]")

@@ -64,6 +64,9 @@ TEST_CASE("What is wrong in models_info.json is said with its place", "[symmetri
              ContainsSubstring("nowhere/models_info.json") && ContainsSubstring("does not exist"));
   CHECK_THAT(refusal("{\"5\": "), ContainsSubstring("models_info.json") && ContainsSubstring("no JSON"));
   CHECK_THAT(refusal("[1]"), ContainsSubstring("models_info.json") && ContainsSubstring("object {...}"));
+  CHECK_THAT(refusal(std::string(100000, '[')), ContainsSubstring("models_info.json") && ContainsSubstring("nested"));
+  CHECK_THAT(refusal("{\"5\": {}, \"2\": {}, \"5\": {\"diameter\": 3}}"),
+             ContainsSubstring("models_info.json") && ContainsSubstring("'5' is there twice"));
   CHECK_THAT(refusal("{\"5\": 3}"), ContainsSubstring("models_info.json") && ContainsSubstring("3"));
   CHECK_THAT(refusal(bop, 3), ContainsSubstring("no object 3") && ContainsSubstring("2, 5, 7"));
   CHECK_THAT(refusal(bop), ContainsSubstring("number is needed") && ContainsSubstring("2, 5, 7"));

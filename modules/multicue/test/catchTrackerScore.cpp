@@ -157,7 +157,8 @@ TEST_CASE("A result that is broken is refused by the member", "[result]")
   CHECK_THAT(refusal("[[1.0,", "[["), ContainsSubstring("'cMo' must be a list of 4 rows of 4 numbers"));
   CHECK_FALSE(refusal("[[1.0", "[[2.0").empty()); // No rotation.
   CHECK_THAT(messageOf([] { vpMbTrackingResult::fromJson("{"); }), ContainsSubstring("no JSON"));
-  CHECK_THAT(messageOf([] { vpMbTrackingResult::fromJson(std::string(100000, '[')); }), ContainsSubstring("no JSON"));
+  CHECK_THAT(messageOf([] { vpMbTrackingResult::fromJson(std::string(100000, '[')); }), ContainsSubstring("nested"));
+  CHECK_THAT(refusal("\"text\":\"\"", "\"text\":\"\",\"text\":\"\""), ContainsSubstring("'text' is there twice"));
   const Folder folder;
   CHECK_THAT(messageOf([&] { vpMbTrackingResult::readFromJsonFile(folder.path("none.json")); }),
              ContainsSubstring("none.json"));

@@ -2,12 +2,17 @@
 #include "dataset/jsonFile.h"
 
 #include "dataset/datasetFiles.h"
+
+#include <visp3/model/vpJsonWatch.h>
 #include <visp3/se3/vpExactNumber.h>
 
 #include <cmath>
 #include <limits>
 
 namespace bench {
+namespace {
+const int deepest = 20; // Values are written into messages by functions that call themselves.
+}
 
 void JsonValue::refuse(const std::string &problem) const
 {
@@ -97,7 +102,8 @@ JsonFile::JsonFile(const std::filesystem::path &file) : m_place(inQuotes(file))
 {
   const std::string text = readText(file);
   try {
-    m_json = nlohmann::json::parse(text);
+    m_json = nlohmann::json::parse(
+        text, vpJsonWatch(deepest, [this](const std::string &reason) { fail("The file " + m_place + ": " + reason); }));
   } catch (const nlohmann::json::exception &e) {
     fail("The file " + m_place + " is no JSON: " + e.what());
   }

@@ -3,6 +3,8 @@
 
 #include "files/fileBytes.h"
 
+#include <visp3/model/vpJsonWatch.h>
+
 #include <array>
 #include <cstdint>
 
@@ -55,14 +57,10 @@ GltfText::GltfText(const std::string &file)
 {
   std::string json;
   split(file, json);
-  const auto callback = [&](int depth, Json::parse_event_t, Json &) {
-    if (depth > deepestJson) {
-      refuseFile(file, "has JSON that is nested more than " + std::to_string(deepestJson) + " deep");
-    }
-    return true;
-  };
+  const vpJsonWatch watch(deepestJson,
+                          [&file](const std::string &reason) { refuseFile(file, "cannot be read: " + reason); });
   try {
-    m_root = Json::parse(json, callback);
+    m_root = Json::parse(json, watch);
   } catch (const Json::exception &e) {
     refuseFile(file, std::string("is no glTF file, or broken: ") + e.what());
   }

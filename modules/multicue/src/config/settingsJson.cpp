@@ -7,6 +7,7 @@
 #include "config/settingsVispJson.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpJsonWatch.h>
 #include <visp3/multicue/vpCueKind.h>
 
 #include <algorithm>
@@ -22,40 +23,15 @@ namespace {
   throw vpException(vpException::badValue, "Configuration file '" + file + "': " + reason);
 }
 
+// What is nested deeper than any setting would be written into messages by functions that call themselves.
 constexpr int deepest = 20;
-
-// What a parser that keeps the last of two values does not notice.
-class ParserWatch
-{
-public:
-  explicit ParserWatch(const std::string &file) : m_file(file) {}
-
-  bool operator()(int depth, Json::parse_event_t event, const Json &parsed)
-  {
-    // What is nested deeper than any setting would be written into messages by functions that call themselves.
-    if (depth > deepest) {
-      refuse(m_file, "it is nested more than " + std::to_string(deepest) + " deep");
-    }
-    if (event == Json::parse_event_t::object_start) {
-      m_keys.emplace_back();
-    } else if (event == Json::parse_event_t::object_end) {
-      m_keys.pop_back();
-    } else if (event == Json::parse_event_t::key && !m_keys.back().insert(parsed.get<std::string>()).second) {
-      refuse(m_file, "'" + parsed.get<std::string>() + "' is there twice: delete one of both");
-    }
-    return true;
-  }
-
-private:
-  const std::string &m_file;
-  std::vector<std::set<std::string>> m_keys; // Of the objects that are open.
-};
 
 Json parse(const std::string &file)
 {
   const bool throwing = true, withComments = true;
   try {
-    return Json::parse(readTextFile(file), ParserWatch(file), throwing, withComments);
+    const vpJsonWatch watch(deepest, [&file](const std::string &reason) { refuse(file, reason); });
+    return Json::parse(readTextFile(file), watch, throwing, withComments);
   } catch (const Json::exception &error) {
     const std::string message = error.what();
     const std::size_t end = message.find("] "); // Of the library's name for the error.

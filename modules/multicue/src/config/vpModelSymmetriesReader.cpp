@@ -4,6 +4,7 @@
 #include "config/settingsText.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpJsonWatch.h>
 #include <visp3/se3/vpExactNumber.h>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const double millimetre = 0.001;
+const int deepest = 20; // Values are written into messages by functions that call themselves.
 
 [[noreturn]] void refuse(const std::string &place, const std::string &reason)
 {
@@ -27,13 +29,8 @@ Json parse(const std::string &file)
 {
   const std::string place = "Symmetries' file '" + file + "'";
   try {
-    // What is nested deeper would be written into messages by functions that call themselves.
-    return Json::parse(vpSettingsDetail::readTextFile(file), [&](int depth, Json::parse_event_t, Json &) {
-      if (depth > 20) {
-        throw vpException(vpException::badValue, "'" + file + "' is nested more than 20 deep");
-      }
-      return true;
-    });
+    return Json::parse(vpSettingsDetail::readTextFile(file),
+                       vpJsonWatch(deepest, [&place](const std::string &reason) { refuse(place, reason); }));
   } catch (const Json::exception &error) {
     refuse(place, std::string("this is no JSON: ") + error.what());
   }

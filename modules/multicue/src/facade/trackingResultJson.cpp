@@ -4,6 +4,7 @@
 #include "motion/vpPoseCheck.h"
 
 #include <visp3/core/vpException.h>
+#include <visp3/model/vpJsonWatch.h>
 #include <visp3/model/vpWholeFile.h>
 
 #include <nlohmann/json.hpp>
@@ -243,7 +244,8 @@ std::string vpMbTrackingResult::toJson(int indent) const
 
 vpMbTrackingResult vpMbTrackingResult::fromJson(const std::string &text)
 {
-  const Json json = Json::parse(text, nullptr, false);
+  constexpr int deepest = 20;
+  const Json json = Json::parse(text, vpJsonWatch(deepest, refuse), false);
   if (!json.is_object()) {
     refuse("this is no JSON object");
   }
