@@ -450,7 +450,10 @@ public:
   /*!
     Mean angle between the image's gradient and the normals of the model's edges, degrees, 90 where nothing is seen.
     Unlike getProjectionError() it looks where the model is, so that a pose that is a little off shows more.
-    ViSP's own measure for .cao and .wrl models, and the same taken over the control points for meshes.
+    ViSP's own measure for .cao and .wrl models, and the same taken over the control points for meshes. ViSP's walks
+    along whole lines, outside the image too, and takes minutes where they are long: of poses at which a corner of the
+    model's box is behind the camera, or seen farther from the image's corner than ten times the sum of its width and
+    height, that over the control points is taken for all models. It may differ by some degrees.
   */
   double computeCurrentProjectionError(const vpImage<unsigned char> &I, const vpHomogeneousMatrix &cMo,
                                        const vpCameraParameters &cam) override;
