@@ -77,26 +77,6 @@ bench::Sequence openRbot(const DatasetFolder &folder)
 {
   return bench::openSequence(folder.path(), "ape/a_regular");
 }
-
-bench::Sequence openRecording(const DatasetFolder &folder)
-{
-  bench::Recording recording;
-  recording.images = folder.path("image%d.png");
-  recording.poses = folder.path("pose%d.txt");
-  recording.model = folder.path("box.obj");
-  recording.camera = folder.path("camera.xml");
-  return bench::openRecording(recording);
-}
-
-void putRecording(const DatasetFolder &folder)
-{
-  for (const char *number : {"0", "1", "2"}) {
-    folder.put(std::string("image") + number + ".png");
-    folder.put(std::string("pose") + number + ".txt", "1 0 0 0.125\n0 1 0 0.25\n0 0 1 0.5\n0 0 0 1\n");
-  }
-  folder.put("box.obj", meshFiles::obj(smallBox(0.001)));
-  folder.put("camera.xml", "<conf><camera><px>1000</px><py>1000</py><u0>320</u0><v0>240</v0></camera></conf>");
-}
 } // namespace
 
 TEST_CASE("Files of a BOP scene that are changed are read rightly, with a note, or refused by name", "[files]")
@@ -118,8 +98,8 @@ TEST_CASE("Files of an RBOT data set that are changed are read rightly or refuse
 
 TEST_CASE("Poses of a recording that are changed are read rightly or refused by name", "[files]")
 {
-  const Changed recording(putRecording);
-  CHECK(recording.faults("pose1.txt", ofNumbers, openRecording) == "");
+  const Changed recording(putSmallRecording);
+  CHECK(recording.faults("pose1.txt", ofNumbers, openSmallRecording) == "");
 }
 
 TEST_CASE("Data sets are the same in every locale", "[files]")
@@ -127,8 +107,8 @@ TEST_CASE("Data sets are the same in every locale", "[files]")
   const DatasetFolder bop, rbot, recording;
   putBop(bop);
   putRbot(rbot);
-  putRecording(recording);
-  const std::string right = textOf(openBop(bop)) + textOf(openRbot(rbot)) + textOf(openRecording(recording));
+  putSmallRecording(recording);
+  const std::string right = textOf(openBop(bop)) + textOf(openRbot(rbot)) + textOf(openSmallRecording(recording));
   const CommaLocale comma;
-  CHECK(textOf(openBop(bop)) + textOf(openRbot(rbot)) + textOf(openRecording(recording)) == right);
+  CHECK(textOf(openBop(bop)) + textOf(openRbot(rbot)) + textOf(openSmallRecording(recording)) == right);
 }

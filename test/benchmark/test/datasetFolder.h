@@ -116,5 +116,27 @@ inline void putRbot(const DatasetFolder &folder)
   }
 }
 
+//! Opens the recording of putSmallRecording().
+inline bench::Sequence openSmallRecording(const DatasetFolder &folder)
+{
+  bench::Recording recording;
+  recording.images = folder.path("image%d.png");
+  recording.poses = folder.path("pose%d.txt");
+  recording.model = folder.path("box.obj");
+  recording.camera = folder.path("camera.xml");
+  return bench::openRecording(recording);
+}
+
+//! Three images with their poses, outside any data set.
+inline void putSmallRecording(const DatasetFolder &folder)
+{
+  for (const char *number : {"0", "1", "2"}) {
+    folder.put(std::string("image") + number + ".png");
+    folder.put(std::string("pose") + number + ".txt", "1 0 0 0.125\n0 1 0 0.25\n0 0 1 0.5\n0 0 0 1\n");
+  }
+  folder.put("box.obj", meshFiles::obj(smallBox(0.001)));
+  folder.put("camera.xml", "<conf><camera><px>1000</px><py>1000</py><u0>320</u0><v0>240</v0></camera></conf>");
+}
+
 END_VISP_NAMESPACE
 #endif
