@@ -213,6 +213,24 @@ TEST_CASE("Accessors of a .gltf file have to be in their buffers", "[files]")
   CHECK_THAT(messageOfFile(folder.write("cut.gltf", gltf(""))), ContainsSubstring("cut.gltf"));
 }
 
+TEST_CASE("A .gltf file that is refused leaves no file open", "[files]")
+{
+  const std::filesystem::path openFiles = "/proc/self/fd";
+  if (!std::filesystem::exists(openFiles)) {
+    WARN("Left out: there is no /proc/self/fd");
+    return;
+  }
+  const auto countOpen = [&] { return std::distance(std::filesystem::directory_iterator(openFiles), {}); };
+  const meshFiles::TemporaryFolder folder;
+  folder.write("box.bin", meshFiles::floats(box()).substr(0, 200));
+  const std::string file = folder.write("cut.gltf", gltf(""));
+  const auto before = countOpen();
+  for (int i = 0; i < 10; ++i) {
+    CHECK_THAT(messageOfFile(file), ContainsSubstring("cut.gltf"));
+  }
+  CHECK(countOpen() == before);
+}
+
 TEST_CASE(
     "A scene far from its origin keeps its digits where the file has them; else the report warns, or it is refused",
     "[files]")
