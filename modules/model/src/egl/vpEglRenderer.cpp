@@ -33,7 +33,7 @@ public:
       m_scene.reset();
     } catch (const vpException &) {
       // OpenGL's names must not be deleted in another context, and they go with their own one anyway.
-      static_cast<void>(m_scene.release());
+      m_scene->abandon();
     }
   }
 

@@ -25,11 +25,18 @@ public:
     Kind::create(&m_id);
     vpCheckGl(Kind::call);
   }
-  ~vpGlObject() { Kind::destroy(&m_id); }
+  ~vpGlObject()
+  {
+    if (m_id != 0) {
+      Kind::destroy(&m_id);
+    }
+  }
   vpGlObject(const vpGlObject &) = delete;
   vpGlObject &operator=(const vpGlObject &) = delete;
 
   GLuint id() const { return m_id; }
+  //! Its context is gone, and the name with it: nothing is deleted, whichever context is current.
+  void abandon() { m_id = 0; }
 
 private:
   GLuint m_id = 0;

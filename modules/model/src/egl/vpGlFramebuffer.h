@@ -18,6 +18,14 @@ public:
   //! Waits for the drawing and copies it; width and height are those of begin().
   void readDepth(int width, int height, float *depth) const;
   void readTriangle(int width, int height, int *triangle) const;
+  //! As vpGlObject::abandon().
+  void abandon()
+  {
+    m_framebuffer.abandon();
+    m_depth.abandon();
+    m_triangle.abandon();
+    m_zBuffer.abandon();
+  }
 
 private:
   void resize(int width, int height);

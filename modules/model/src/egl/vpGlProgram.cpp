@@ -83,7 +83,9 @@ vpGlProgram::vpGlProgram(const std::string &vertexSource, const std::string &fra
 
 vpGlProgram::~vpGlProgram()
 {
-  glDeleteProgram(m_id);
+  if (m_id != 0) {
+    glDeleteProgram(m_id);
+  }
 }
 
 GLint vpGlProgram::uniform(const char *name) const

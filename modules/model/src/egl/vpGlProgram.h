@@ -19,6 +19,8 @@ public:
   vpGlProgram &operator=(const vpGlProgram &) = delete;
 
   GLuint id() const { return m_id; }
+  //! As vpGlObject::abandon().
+  void abandon() { m_id = 0; }
   //! \throw vpException where the program has no such uniform variable.
   GLint uniform(const char *name) const;
 

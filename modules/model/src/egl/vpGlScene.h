@@ -21,6 +21,15 @@ public:
   //! Fills \e view.depth, and \e triangle where it is not null, with view.width x view.height pixels.
   void render(const vpHomogeneousMatrix &cMo, const vpCropCamera &camera, double nearDistance, vpRenderedView &view,
               std::vector<int> *triangle);
+  //! As vpGlObject::abandon().
+  void abandon()
+  {
+    m_program.abandon();
+    m_vertexArray.abandon();
+    m_positions.abandon();
+    m_indices.abandon();
+    m_framebuffer.abandon();
+  }
 
 private:
   using Box = std::array<Eigen::Vector3d, 2>;
