@@ -45,48 +45,49 @@ Json matrixJson(const vpArray2D<double> &matrix)
   return rows;
 }
 
-const Json &member(const Json &json, const std::string &name)
+// Names are no std::string: compilers of today take what is returned for a part of a temporary one.
+const Json &member(const Json &json, const char *name)
 {
   if (!json.is_object() || !json.contains(name)) {
-    refuse("'" + name + "' is missing");
+    refuse(std::string("'") + name + "' is missing");
   }
   return json[name];
 }
 
-template <typename Value> Value valueOf(const Json &json, const std::string &name)
+template <typename Value> Value valueOf(const Json &json, const char *name)
 {
   const Json &value = member(json, name);
   try {
     return value.get<Value>();
   } catch (const Json::exception &) {
-    refuse("'" + name + "' is " + value.dump() + ", it must be of another type");
+    refuse(std::string("'") + name + "' is " + value.dump() + ", it must be of another type");
   }
 }
 
-double asNumber(const Json &value, const std::string &name)
+double asNumber(const Json &value, const char *name)
 {
   if (!value.is_number() && !value.is_null()) {
-    refuse("'" + name + "' has " + value.dump() + " where a number must be");
+    refuse(std::string("'") + name + "' has " + value.dump() + " where a number must be");
   }
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
-double numberOf(const Json &json, const std::string &name)
+double numberOf(const Json &json, const char *name)
 {
   return asNumber(member(json, name), name);
 }
 
-const Json &listOf(const Json &json, const std::string &name)
+const Json &listOf(const Json &json, const char *name)
 {
   const Json &list = member(json, name);
   if (!list.is_array()) {
-    refuse("'" + name + "' is " + list.dump() + ", it must be a list [...]");
+    refuse(std::string("'") + name + "' is " + list.dump() + ", it must be a list [...]");
   }
   return list;
 }
 
 // \param matrix Has the size that is expected.
-void readMatrix(const Json &json, const std::string &name, vpArray2D<double> &matrix)
+void readMatrix(const Json &json, const char *name, vpArray2D<double> &matrix)
 {
   const Json &rows = listOf(json, name);
   bool fits = rows.size() == matrix.getRows();
@@ -97,7 +98,7 @@ void readMatrix(const Json &json, const std::string &name, vpArray2D<double> &ma
     }
   }
   if (!fits) {
-    refuse("'" + name + "' must be a list of " + std::to_string(matrix.getRows()) + " rows of " +
+    refuse(std::string("'") + name + "' must be a list of " + std::to_string(matrix.getRows()) + " rows of " +
            std::to_string(matrix.getCols()) + " numbers");
   }
 }
@@ -113,14 +114,14 @@ vpHomogeneousMatrix poseOf(const Json &json)
 }
 
 // The value whose name is written. \param values All that there are.
-template <typename Enum> Enum choiceOf(const Json &text, const std::string &name, const std::vector<Enum> &values)
+template <typename Enum> Enum choiceOf(const Json &text, const char *name, const std::vector<Enum> &values)
 {
   for (const Enum value : values) {
     if (text == toString(value)) {
       return value;
     }
   }
-  refuse("'" + name + "' is not known as " + text.dump());
+  refuse(std::string("'") + name + "' is not known as " + text.dump());
 }
 
 Json putOffJson(const std::vector<vpPutOff> &works)
