@@ -117,9 +117,11 @@ std::vector<std::string> DemoRecord::summary() const
 {
   const auto tracking = std::count_if(m_frames.begin(), m_frames.end(),
                                       [](const Frame &frame) { return frame.state == vpTrackingState::TRACKING; });
-  std::vector<std::string> lines = {cv::format(
-      "%d of %d images TRACKING, median time %.1f ms", static_cast<int>(tracking), static_cast<int>(m_frames.size()),
-      median(collect(m_frames, [](const Frame &frame) { return frame.milliseconds; })))};
+  const std::vector<double> milliseconds = collect(m_frames, [](const Frame &frame) { return frame.milliseconds; });
+  std::vector<std::string> lines = {
+      cv::format("%d of %d images TRACKING, median time %.1f ms, longest %.0f ms", static_cast<int>(tracking),
+                 static_cast<int>(m_frames.size()), median(milliseconds),
+                 milliseconds.empty() ? 0. : *std::max_element(milliseconds.begin(), milliseconds.end()))};
   if (m_sequence.truth.empty()) {
     const double error = median(collect(m_frames, [](const Frame &frame) { return frame.projectionError; }));
     lines.push_back(cv::format("projection error, median: %.1f degrees", error));
