@@ -12,7 +12,7 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${build} --prefix ${work}/prefix --config ${build_type})
-string(REPLACE ";" "\\;" modules "${modules}")
+string(REPLACE ";" "," modules "${modules}") # A list would be taken apart on its way, and all but its first entry be lost.
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}/build -G ${generator} -D CMAKE_BUILD_TYPE=${build_type}
   -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags} -D CMAKE_PREFIX_PATH=${work}/prefix
   -D VISP_DIR=${visp} -D modules=${modules})
