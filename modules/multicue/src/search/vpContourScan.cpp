@@ -10,7 +10,7 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const double cellsPerRadius = 12.;
+const double usualCellsPerRadius = 12.;
 const double mostCells = 24.; // Of a radius, where the step is as large as it may be.
 const double reachShare = 1. / 12.;
 const double leastStep = 4.; // Pixels.
@@ -26,7 +26,7 @@ const float farAway = 16384.F;    // Pixels: an image of which no point of a vie
 void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,
                              unsigned int height, double radius)
 {
-  setImage(edges, cam, width, height, radius, cellsPerRadius, 0.);
+  setImage(edges, cam, width, height, radius, usualCellsPerRadius, 0.);
 }
 
 void vpContourScan::setImage(const vpOrientedDistanceMap &edges, const vpCameraParameters &cam, unsigned int width,

@@ -7,7 +7,7 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-const std::size_t places = 600;
+const std::size_t sampledPlaces = 600;
 // Of a vpViewSphere: each place is seen from several of its directions.
 const unsigned int level = 1;
 // Places that are seen flatter than this show what is beside them.
@@ -135,7 +135,7 @@ void vpModelColors::setModel(std::shared_ptr<const vpTrackedModel> model)
   if (!m_model || (m_model->appearance().color.empty() && m_model->appearance().images.empty())) {
     return;
   }
-  for (const vpSurfaceSample &sample : vpSampleSurface(*m_model, places)) {
+  for (const vpSurfaceSample &sample : vpSampleSurface(*m_model, sampledPlaces)) {
     Place place;
     place.position = sample.position;
     place.normal = sample.normal;
