@@ -45,11 +45,11 @@ vpHomogeneousMatrix vpPoseSearch::draw(const vpHomogeneousMatrix &cMo, const Spr
   const Eigen::Vector3d sight = at.normalized();
   Eigen::Vector3d shift = spread.translation * m_diameter * noise.head<3>();
   shift += (spread.depth * m_diameter * noise[2] - shift.dot(sight)) * sight;
-  const Eigen::Vector3d turn = spread.rotation * noise.tail<3>();
-  const double angle = turn.norm();
+  const Eigen::Vector3d turned = spread.rotation * noise.tail<3>();
+  const double angle = turned.norm();
   const Eigen::Matrix3d rotation =
       pose.linear() *
-      (angle > 0. ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity());
+      (angle > 0. ? Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix() : Eigen::Matrix3d::Identity());
   Eigen::Isometry3d drawn = Eigen::Isometry3d::Identity();
   drawn.linear() = rotation;
   drawn.translation() = at + shift - rotation * m_centre;
