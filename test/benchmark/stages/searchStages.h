@@ -64,7 +64,7 @@ struct SearchScene
         const int at = depth.index(j, i);
         const bool isObject = at >= 0 && depth.depth[static_cast<std::size_t>(at)] > 0.F;
         const vpRGBa &pixel = scene.colorImage()[i][j];
-        histograms.count(pixel.R | pixel.G << 8U | pixel.B << 16U,
+        histograms.count(static_cast<std::uint32_t>(pixel.R | pixel.G << 8U | pixel.B << 16U),
                          isObject ? vpColorHistograms::OBJECT : vpColorHistograms::BACKGROUND);
       }
     }
