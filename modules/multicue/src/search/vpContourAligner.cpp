@@ -129,7 +129,7 @@ const vpSphereView &vpContourAligner::viewAt(const Eigen::Isometry3d &cMo) const
   return m_sphere->view(m_sphere->nearest(cMo.linear().transpose() * -(cMo * m_sphere->model().centre()), m_level));
 }
 
-bool vpContourAligner::stepByColors(Eigen::Isometry3d &cMo, double reach) const
+bool vpContourAligner::stepByColors(Eigen::Isometry3d &cMo, double reach, std::size_t every) const
 {
   const double depth = (cMo * m_sphere->model().centre()).z();
   if (!(depth > 0.)) {
@@ -138,7 +138,7 @@ bool vpContourAligner::stepByColors(Eigen::Isometry3d &cMo, double reach) const
   const vpSphereView &view = viewAt(cMo);
   const double spacing = reach * static_cast<double>(m_camera.px) * m_sphere->model().diameter() / depth / places;
   // A contour's place is known to about the distance of the places that were looked at.
-  return step(cMo, view, view.silhouettes(), spacing,
+  return step(cMo, view, {view.silhouettes(), every}, spacing,
               [this, spacing](const vpSeenPoint &point) { return findByColors(point, static_cast<float>(spacing)); });
 }
 
@@ -148,12 +148,13 @@ bool vpContourAligner::stepByEdges(Eigen::Isometry3d &cMo) const
     return false;
   }
   const vpSphereView &view = viewAt(cMo);
-  return step(cMo, view, view.size(), edgeDeviation, [this](const vpSeenPoint &point) { return findByEdges(point); });
+  return step(cMo, view, {view.size(), 1}, edgeDeviation,
+              [this](const vpSeenPoint &point) { return findByEdges(point); });
 }
 
-// \param points Of the view that take part. \param unit Deviation of a contour's place, pixels.
+// \param unit Deviation of a contour's place, pixels.
 template <typename Finder>
-bool vpContourAligner::step(Eigen::Isometry3d &cMo, const vpSphereView &view, std::size_t points, double unit,
+bool vpContourAligner::step(Eigen::Isometry3d &cMo, const vpSphereView &view, const Points &points, double unit,
                             Finder &&find) const
 {
   const vpTrackedModel &model = m_sphere->model();
@@ -161,15 +162,16 @@ bool vpContourAligner::step(Eigen::Isometry3d &cMo, const vpSphereView &view, st
   const Eigen::Vector3d centre = cMo * middle;
   vpPointProjection projection(cMo, m_camera);
   Equations equations;
-  projection.forEachSeen(view, points, [&](const vpSeenPoint &point) {
-    if (point.length > 0.F) {
+  projection.forEachSeen(view, points.count, [&](const vpSeenPoint &point) {
+    if (point.length > 0.F && point.number % points.every == 0) {
       addContour(point, centre.cast<float>(), find(point), equations);
     }
   });
   if (equations.points < fewestPoints) {
     return false;
   }
-  const Eigen::Matrix<double, 6, 1> moved = equations.solve(motion * model.diameter() / unit, turn / unit);
+  const double scale = std::sqrt(static_cast<double>(points.every)) / unit; // As if all of them took part.
+  const Eigen::Matrix<double, 6, 1> moved = equations.solve(motion * model.diameter() * scale, turn * scale);
   const double angle = moved.tail<3>().norm();
   Eigen::Matrix3d rotation = cMo.linear();
   if (angle > 0.) {

@@ -36,9 +36,9 @@ public:
   // Either map may be null, and the step that needs it is then not to be called.
   void setImage(const vpColorOddsMap *colors, const vpOrientedDistanceMap *edges, const vpCameraParameters &cam,
                 unsigned int width, unsigned int height);
-  // reach: how far from the silhouette is looked, in projected diameters. Returns false, and leaves the pose as it is,
-  // where hardly anything is in view.
-  bool stepByColors(Eigen::Isometry3d &cMo, double reach) const;
+  // reach: how far from the silhouette is looked, in projected diameters. every: one point of so many takes part.
+  // Returns false, and leaves the pose as it is, where hardly anything is in view.
+  bool stepByColors(Eigen::Isometry3d &cMo, double reach, std::size_t every = 1) const;
   // The map's largest distance is what it reaches.
   bool stepByEdges(Eigen::Isometry3d &cMo) const;
 
@@ -55,8 +55,14 @@ private:
   Contour findByEdges(const vpSeenPoint &point) const;
   void addContour(const vpSeenPoint &point, const Eigen::Vector3f &centre, const Contour &contour,
                   Equations &equations) const;
+  // Those of a view that take part: every so many of the first ones.
+  struct Points
+  {
+    std::size_t count;
+    std::size_t every;
+  };
   template <typename Finder>
-  bool step(Eigen::Isometry3d &cMo, const vpSphereView &view, std::size_t points, double unit, Finder &&find) const;
+  bool step(Eigen::Isometry3d &cMo, const vpSphereView &view, const Points &points, double unit, Finder &&find) const;
   const vpSphereView &viewAt(const Eigen::Isometry3d &cMo) const;
 
   vpViewSphere *m_sphere = nullptr;

@@ -16,7 +16,13 @@ const double othersByEdges = 0.15; // The same in one by edges.
 const unsigned int spherePoints = 100;
 // Of the sphere, to look for poses: neighbouring views are 17 degrees apart.
 const unsigned int leastLevel = 2;
+// The first steps of an alignment look at one point of so many. With all of them, 97.7 % of the frames of three objects
+// in a hand were followed (three images apart, three sequences), with every second one in all steps 97.3 %.
+const std::size_t everyAtFirst = 2;
 const std::size_t keptParents = 24;
+// Drawn about those that were aligned: more of them, or in further layers, found nothing that more draws before did
+// not.
+const std::size_t childrenOfAligned = 48;
 const std::size_t children = 200;
 const unsigned int layers = 3;
 const vpPoseSearch::Spread aroundSettled = {0.05, 0.15, 0.08};
@@ -29,26 +35,9 @@ void keepSettled(vpPoseSearch &search)
   search.keepBest(4 * keptParents, {0.04, 0.12, 0.08});
 }
 
-// Poses that were aligned are near to what they can become. A right one's peak is narrow: what is drawn around them
-// slides to where it fits before it is looked at.
-template <typename Align> void annealSettled(vpPoseSearch &search, std::size_t number, Align &&align)
+std::size_t shareOf(double share, std::size_t number)
 {
-  search.score();
-  vpPoseSearch::Spread spread = aroundSettled;
-  for (unsigned int layer = 1; layer < layers; ++layer) {
-    search.breed(spread, keptParents, number);
-    search.keepCopies();
-    align();
-    search.addCopies();
-    search.score();
-    spread = spread.halved();
-  }
-  search.keepBest(keptParents, spread);
-}
-
-std::size_t childrenOf(double share)
-{
-  return static_cast<std::size_t>(share * static_cast<double>(children));
+  return static_cast<std::size_t>(share * static_cast<double>(number));
 }
 } // namespace
 
@@ -204,23 +193,29 @@ void vpImageScore::settle(vpPoseSearch &search, double share)
   if (m_situation.mustConfirm || m_knowledge.hasUnsteadyColors()) {
     search.keepCopies(); // Poses are looked at where they were drawn, too.
   }
-  search.alignByColors(m_aligner, 0.15, 2);
-  search.alignByColors(m_aligner, 0.08, 1);
+  search.alignByColors(m_aligner, 0.15, 2, everyAtFirst);
+  search.alignByColors(m_aligner, 0.08, 1, everyAtFirst);
   keepSettled(search);
   search.alignByColors(m_aligner, 0.05, 2);
-  annealSettled(search, childrenOf(share), [&] {
-    search.alignByColors(m_aligner, 0.05, 1);
-    if (m_cues.uses(vpCueSet::EDGE)) {
-      search.alignByEdges(m_aligner, 2);
-    }
-  });
+  // A right pose's peak is narrow: what is drawn around those that are near to it slides to where it fits before it is
+  // looked at.
+  search.score();
+  search.breed(aroundSettled, keptParents, shareOf(share, childrenOfAligned));
+  search.keepCopies();
+  search.alignByColors(m_aligner, 0.05, 1);
+  if (m_cues.uses(vpCueSet::EDGE)) {
+    search.alignByEdges(m_aligner, 2);
+  }
+  search.addCopies();
+  search.score();
+  search.keepBest(keptParents, aroundSettled.halved());
 }
 
 void vpImageScore::settleByScore(vpPoseSearch &search, double share) const
 {
   if (!m_cues.uses(vpCueSet::EDGE)) {
     search.score();
-    search.anneal(vpPoseSearch::near(), keptParents, childrenOf(share), layers);
+    search.anneal(vpPoseSearch::near(), keptParents, shareOf(share, children), layers);
     return;
   }
   search.keepCopies(); // Where edges are many, the nearest ones may lead away from the object's.
@@ -228,7 +223,7 @@ void vpImageScore::settleByScore(vpPoseSearch &search, double share) const
   keepSettled(search);
   search.alignByEdges(m_aligner, 2);
   search.score();
-  search.anneal(aroundSettled, keptParents, childrenOf(share), layers - 1);
+  search.anneal(aroundSettled, keptParents, shareOf(share, children), layers - 1);
 }
 
 END_VISP_NAMESPACE

@@ -88,9 +88,9 @@ double vpPoseSearch::scoreOf(const vpHomogeneousMatrix &cMo)
   return score - (m_priorTail == Tail::HEAVY ? heavyPrior * std::log1p(d * d) : lightPrior * d * d);
 }
 
-void vpPoseSearch::alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps)
+void vpPoseSearch::alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps, std::size_t every)
 {
-  align(steps, [&aligner, reach](Eigen::Isometry3d &pose) { return aligner.stepByColors(pose, reach); });
+  align(steps, [&aligner, reach, every](Eigen::Isometry3d &pose) { return aligner.stepByColors(pose, reach, every); });
 }
 
 void vpPoseSearch::alignByEdges(const vpContourAligner &aligner, unsigned int steps)

@@ -82,8 +82,8 @@ public:
   // Keeps all candidates as they are, to be added again after they were aligned.
   void keepCopies() { m_copies = m_candidates; }
   void addCopies();
-  // Lets all of them slide to where their silhouettes separate the colours, and scores them.
-  void alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps);
+  // Lets all of them slide to where their silhouettes, one point of so many, separate the colours.
+  void alignByColors(const vpContourAligner &aligner, double reach, unsigned int steps, std::size_t every = 1);
   void alignByEdges(const vpContourAligner &aligner, unsigned int steps);
   // Those from this one on.
   void score(std::size_t first = 0);

@@ -4,8 +4,9 @@
 BEGIN_VISP_NAMESPACE
 
 namespace {
-// From the near spread and from a wider one each; with as many again, nothing more was found.
-const std::size_t nearNumber = 80;
+// From the near spread and from a wider one each. Of three objects in a hand, three images apart (three sequences,
+// protocol rbot), 97.3 % were followed with 80 and 160 and 98.2 % with 240.
+const std::size_t nearNumber = 240;
 const std::size_t scoredNumber = 400; // Where colours do not help.
 // With 1.6, 56 % of the frames of five objects that move 40 px and 16 degrees from image to image were followed, with
 // 2.5 it was 74 %.
@@ -17,15 +18,16 @@ const double shareOfSearch = 0.4;
 const double angleOfTurn = 0.35;
 } // namespace
 
-void vpNearSearch::search(const vpFrameContext &frame)
+bool vpNearSearch::search(const vpFrameContext &frame)
 {
   if (!m_score.setFrameInTime(frame)) {
-    return;
+    return false;
+  }
+  if (draw(frame, nearNumber, m_size, true)) {
+    return true;
   }
   // Colours may lead away from the object, or there are none.
-  if (!draw(frame, nearNumber, m_size, true) && !frame.deadline.putsOff(vpPutOff::SEARCH)) {
-    draw(frame, scoredNumber, m_sizeByScore, false);
-  }
+  return !frame.deadline.putsOff(vpPutOff::SEARCH) && draw(frame, scoredNumber, m_sizeByScore, false);
 }
 
 // \param number From each spread. \return True where one of the best poses is enough.
@@ -57,7 +59,7 @@ bool vpNearSearch::draw(const vpFrameContext &frame, std::size_t number, vpSearc
   if (search.isCutShort()) {
     frame.deadline.notePutOff(vpPutOff::SEARCH);
   }
-  return m_attempts.attemptBest(frame, search, byColors);
+  return m_attempts.attemptBest(frame, search, false); // They were aligned already.
 }
 
 void vpNearSearch::turn(const vpFrameContext &frame)

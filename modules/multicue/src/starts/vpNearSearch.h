@@ -18,8 +18,8 @@ public:
   {
   }
 
-  //! The likeliest poses by the image's maps.
-  void search(const vpFrameContext &frame);
+  //! The likeliest poses by the image's maps. \return True where one of them is enough.
+  bool search(const vpFrameContext &frame);
   //! Turned a little about each axis, where nothing is searched for.
   void turn(const vpFrameContext &frame);
 
