@@ -84,6 +84,19 @@ private:
   Json m_names = Json::array();
 };
 
+void takeTypes(const std::string &place, VispJsonCarrier &carrier)
+{
+  const Json types = carrier.has(place) ? carrier.at(place) : Json::array();
+  if (!types.is_array()) {
+    refuse("'type' is to be a list of names");
+  }
+  Cues cues;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    cues.add(place + "/" + std::to_string(i), types[i].is_string() ? types[i].get<std::string>() : types[i].dump(),
+             carrier);
+  }
+}
+
 VispJson readGeneric(const Json &json)
 {
   VispJsonCarrier carrier(json);
@@ -103,15 +116,7 @@ VispJson readGeneric(const Json &json)
   takeEdges(place + "/edge", carrier);
   takePoints(place + "/klt", carrier);
   takeClipping(place + "/clipping", carrier);
-  const Json types = carrier.has(place + "/type") ? carrier.at(place + "/type") : Json::array();
-  if (!types.is_array()) {
-    refuse("'type' is to be a list of names");
-  }
-  Cues cues;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    cues.add(place + "/type/" + std::to_string(i), types[i].is_string() ? types[i].get<std::string>() : types[i].dump(),
-             carrier);
-  }
+  takeTypes(place + "/type", carrier);
   carrier.take(place + "/angleAppear", "view.appearAngle");
   carrier.take(place + "/angleDisappear", "view.disappearAngle");
   carrier.take(place + "/display/features", "display.features");

@@ -112,16 +112,22 @@ void vpMbMultiCueTracker::Impl::giveToVisp(const vpMultiCueSettings &settings)
   m_tracker.setMinPolygonAreaThresh(settings.minPolygonArea);
 }
 
-void vpMbMultiCueTracker::Impl::apply(const vpMultiCueSettings &settings)
+// They are read before anything is changed, since that may throw.
+void vpMbMultiCueTracker::Impl::applySymmetries(const vpMultiCueSettings &settings)
 {
-  settings.check();
   vpTrackerSymmetries &symmetries = m_engine.symmetries;
   const bool isOther = settings.symmetries != symmetries.from() || settings.symmetricObject != symmetries.object();
   if (isOther && !settings.symmetries.empty()) {
-    const vpTrackedModel *model = m_engine.looks.pointer().get(); // Read before anything is changed: it may throw.
+    const vpTrackedModel *model = m_engine.looks.pointer().get();
     symmetries.set(vpTrackerSymmetries::read(settings.symmetries, settings.symmetricObject, model), settings.symmetries,
                    settings.symmetricObject, model);
   }
+}
+
+void vpMbMultiCueTracker::Impl::apply(const vpMultiCueSettings &settings)
+{
+  settings.check();
+  applySymmetries(settings);
   handOver();
   vpModelViewOptions &options = m_engine.looks.options;
   const double nearBefore = options.nearDistance;

@@ -30,6 +30,7 @@ public:
   void updateMe();
   vpMultiCueSettings settings();
   void apply(const vpMultiCueSettings &settings);
+  void applySymmetries(const vpMultiCueSettings &settings);
   //! Loads a file, and the model that it says where there is none; all stays as it was where that throws.
   void load(const std::string &configFile, bool verbose);
   //! Takes over the settings that vpMultiCueSettings has not.

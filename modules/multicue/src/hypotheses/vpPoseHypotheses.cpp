@@ -2,8 +2,8 @@
 #include <visp3/multicue/vpPoseHypotheses.h>
 
 #include "hypotheses/vpClassDraw.h"
-#include "hypotheses/vpControlPointMotion.h"
 #include "hypotheses/vpPoseSolver.h"
+#include "hypotheses/vpRankedPoses.h"
 
 #include <opencv2/core/utility.hpp>
 
@@ -19,10 +19,6 @@ namespace {
 // after it starts close to its end.
 const unsigned int chosenIterations = 4;
 const unsigned int nearestIterations = 3;
-// A pose that moved its control points by more than this many search ranges has diverged.
-const double maxMotion = 2.;
-// What an edge's place is uncertain by, its model and its noise together.
-const double edgeNoise = 1.; // Pixels.
 // Draws whose motions are compared in the image.
 const std::size_t maxScored = 12;
 // Share of the control points that contours with a potential edge must have to tell a pose alone.
@@ -43,23 +39,6 @@ public:
     bool found = false;
   };
 
-  // A pose that is not another one's double.
-  struct Kept
-  {
-    vpHomogeneousMatrix cMo;
-    const std::vector<int> *classes = nullptr;
-    double residue = 0.;
-    double motion = 0.; // Mean of the control points since the start, in search ranges.
-    double cost = 0.;   // Negative logarithm of the probability.
-
-    // A contour tells as much as one control point does: its points are wrong together.
-    void setError(double error, std::size_t contourCount)
-    {
-      residue = std::sqrt(error);
-      cost = static_cast<double>(contourCount) * error / (edgeNoise * edgeNoise) + 0.5 * motion * motion;
-    }
-  };
-
   void score(const vpEdgeCue &edges, const vpHomogeneousMatrix &cMo);
   void select(unsigned int limit);
   void choose(const vpClassDraw::Draw &draw, std::vector<int> &choices) const;
@@ -67,7 +46,6 @@ public:
   vpHomogeneousMatrix start(const vpClassDraw::Draw &draw, const vpHomogeneousMatrix &cMo) const;
   void run(const vpEdgeCue &edges, double diameter, const vpHomogeneousMatrix &cMo, Work &work) const;
   void merge(const vpEdgeCue &edges, const vpModelView &view);
-  void rank();
   void record(const vpEdgeCue &edges);
 
   vpPoseHypothesisSettings settings;
@@ -80,8 +58,7 @@ public:
   std::vector<double> scores;     // Of each draw.
   std::deque<Work> works; // Memory, which grows without copies as vpCueFusion's; the first `minimised` are in use.
   std::size_t minimised = 0;
-  std::vector<Kept> kept; // Of each of found, in the same order.
-  std::vector<vpPoseHypothesis> found;
+  vpRankedPoses found;
   vpPoseSolver solver;
   std::vector<Contour> contours;
   std::vector<vpControlPoint> points; // Of the matches, for lines().
@@ -198,45 +175,13 @@ void vpPoseHypotheses::Impl::minimise(const vpEdgeCue &edges, double diameter, c
 
 void vpPoseHypotheses::Impl::merge(const vpEdgeCue &edges, const vpModelView &view)
 {
-  kept.clear();
+  found.start(classes.contours().size());
   for (std::size_t i = 0; i < minimised; ++i) {
-    const Work &work = works[i];
-    const double motion = vpControlPointMotion::mean(view, work.cMo, edges.camera()) / edges.settings().range;
-    if (!work.found || motion > maxMotion) {
-      continue;
-    }
-    Kept pose;
-    pose.cMo = work.cMo;
-    pose.classes = &work.draw->classes;
-    pose.motion = motion;
-    pose.setError(work.error, classes.contours().size());
-    const auto same = std::find_if(kept.begin(), kept.end(), [&](const Kept &other) {
-      return vpControlPointMotion::between(view, pose.cMo, other.cMo, edges.camera()) < settings.mergeTolerance;
-    });
-    if (same == kept.end()) {
-      kept.push_back(pose);
-    } else if (pose.cost < same->cost) {
-      *same = pose;
+    if (works[i].found) {
+      found.add(works[i].cMo, works[i].error, works[i].draw->classes, edges, view, settings.mergeTolerance);
     }
   }
-  rank();
-}
-
-void vpPoseHypotheses::Impl::rank()
-{
-  std::stable_sort(kept.begin(), kept.end(), [](const Kept &a, const Kept &b) { return a.cost < b.cost; });
-  found.resize(kept.size());
-  double sum = 0.;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    found[i].cMo = kept[i].cMo;
-    found[i].residue = kept[i].residue;
-    found[i].classes = *kept[i].classes;
-    found[i].weight = std::exp(kept.front().cost - kept[i].cost);
-    sum += found[i].weight;
-  }
-  for (vpPoseHypothesis &hypothesis : found) {
-    hypothesis.weight /= sum;
-  }
+  found.rank();
 }
 
 void vpPoseHypotheses::Impl::record(const vpEdgeCue &edges)
@@ -268,30 +213,27 @@ const std::vector<vpPoseHypothesis> &vpPoseHypotheses::find(const vpEdgeCue &edg
   impl.minimise(edges, diameter, cMo, decisive);
   impl.merge(edges, view);
   impl.record(edges);
-  return impl.found;
+  return impl.found.poses();
 }
 
 void vpPoseHypotheses::refine(std::size_t index, const vpEdgeCue &edges, double diameter)
 {
-  Impl::Kept &kept = m_impl->kept.at(index);
-  vpHomogeneousMatrix cMo = kept.cMo;
+  vpHomogeneousMatrix cMo = m_impl->found.poses().at(index).cMo;
   const vpPoseMatrix6 seen = m_impl->solver.observed(edges, m_impl->freeMotions, diameter, cMo);
-  if (m_impl->solver.minimise(edges, nullptr, seen, diameter, cMo, nearestIterations)) {
-    kept.cMo = cMo;
-    m_impl->found[index].cMo = cMo;
+  if (!m_impl->solver.minimise(edges, nullptr, seen, diameter, cMo, nearestIterations)) {
+    cMo = m_impl->found.poses()[index].cMo;
   }
-  kept.setError(m_impl->solver.error(edges, kept.cMo, cutoff), m_impl->contours.size());
-  m_impl->found[index].residue = kept.residue;
+  m_impl->found.refine(index, cMo, m_impl->solver.error(edges, cMo, cutoff));
 }
 
 void vpPoseHypotheses::rank()
 {
-  m_impl->rank();
+  m_impl->found.rank();
 }
 
 const std::vector<vpPoseHypothesis> &vpPoseHypotheses::hypotheses() const
 {
-  return m_impl->found;
+  return m_impl->found.poses();
 }
 
 const std::vector<vpPoseHypotheses::Contour> &vpPoseHypotheses::contours() const
@@ -321,8 +263,7 @@ std::vector<vpPoseHypotheses::Line> vpPoseHypotheses::lines() const
 
 void vpPoseHypotheses::clear()
 {
-  m_impl->found.clear();
-  m_impl->kept.clear();
+  m_impl->found.start(0);
   m_impl->contours.clear();
   m_impl->points.clear();
   m_impl->draws.clear();

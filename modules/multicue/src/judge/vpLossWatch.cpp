@@ -11,13 +11,6 @@ BEGIN_VISP_NAMESPACE
 namespace {
 using Reason = vpMbTrackingResult::Reason;
 
-// Frames on end that have to explain a pose after a loss.
-const unsigned int neededConfirmations = 3;
-const unsigned int usualConfirmations = 6;
-const unsigned int disownedConfirmations = 60; // Where edges alone speak for a pose.
-const unsigned int doubtfulConfirmations = 15; // Where the surface looks like that of another pose.
-// Frames on end in which no other pose came near, whatever is explained.
-const unsigned int neededAhead = 6;
 // An object that left the image for so many frames on end may come back anywhere; one that the image does not explain
 // is followed for longer, since light and what is in front of it change more often than it jumps. Where a pose far
 // off is all that explains it, the object is lost at once.
@@ -33,8 +26,6 @@ const double keptBelief = 0.7;
 // object is still near.
 const double leastBelief = 0.6;
 const unsigned int mostDisbelieved = 2;
-// Logarithm of the factor between distances: one that changed by more needs a surface that agrees.
-const double mostDepthChange = 0.5;
 // What a pose explains more than others, for a lead in the logarithm of odds; and the most of it that counts.
 const double shareOfLead = 1. / 22.;
 const double mostLead = 0.25;
@@ -185,36 +176,11 @@ void vpLossWatch::confirmState(const Found &found)
   const bool confirms =
       isExplained && inside >= vpImageScore::insideToConfirm && found.best.explained >= vpPoseTracks::confirming;
   now.confirmations = confirms ? now.confirmations + 1 : 0;
-  if (isConfirmed(found, inside)) {
+  if (m_confirmation.isDue(found.cMo, found.agreement, inside)) {
     noteFound(found.cMo);
   } else {
     m_outcome.state = vpTrackingState::UNCERTAIN;
   }
-}
-
-// By frames on end that explain the pose, or by others that were looked for in vain; not before others were looked for.
-bool vpLossWatch::isConfirmed(const Found &found, double inside) const
-{
-  const vpPoseTracks &tracks = m_situation.tracks;
-  const vpAgreement &agreement = found.agreement;
-  // A small pose far away fits into many a part of what the image shows.
-  const bool isElsewhere = m_whereabouts.depthChange(found.cMo) > mostDepthChange;
-  const bool hasTexture = !m_cues.isEdgesAlone() && m_knowledge.hasTexture();
-  const bool isDecisive = m_judge.isDecisive(agreement);
-  if (!tracks.isCompared() || (isElsewhere && !(hasTexture && isDecisive))) {
-    return false;
-  }
-  // Of two poses that only show sides which were never seen, nothing tells the right one until another side is seen.
-  const bool isUnknown = hasTexture && agreement.surfaceWeight < vpObjectKnowledge::leastTexture;
-  if (m_judge.isDisowned(agreement) || agreement.isRefuted || (isUnknown && tracks.isContested())) {
-    return m_situation.confirmations >= disownedConfirmations;
-  }
-  if (inside >= vpImageScore::insideToConfirm && tracks.ahead() >= neededAhead) {
-    return true;
-  }
-  const bool isDoubtful = tracks.isContested() || m_judge.isContradicted(agreement);
-  return m_situation.confirmations >=
-         (isDoubtful ? doubtfulConfirmations : (isDecisive ? neededConfirmations : usualConfirmations));
 }
 
 // How the pose came about, and what it explained in the frames before, count beside this image.

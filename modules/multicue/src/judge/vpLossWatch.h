@@ -2,12 +2,11 @@
 #ifndef vpLossWatch_h
 #define vpLossWatch_h
 
+#include "judge/vpConfirmation.h"
 #include "judge/vpFoundPoseProof.h"
 #include "judge/vpFoundPoseTwins.h"
 #include "judge/vpJudgedPose.h"
-#include "judge/vpPoseJudge.h"
 #include "judge/vpTrackingOutcome.h"
-#include "starts/vpWhereabouts.h"
 #include "symmetry/vpAlikePoses.h"
 
 BEGIN_VISP_NAMESPACE
@@ -29,9 +28,9 @@ public:
               vpImageScore &score, const vpPoseJudge &judge, const vpWhereabouts &whereabouts,
               const vpAlikePoses &alike, const vpHalfTurns &halfTurns, vpSituation &situation, vpFoundPoseProof &proof,
               vpFoundPoseTwins &twins, vpTrackingOutcome &outcome)
-      : m_looks(looks), m_cues(cues), m_motion(motion), m_knowledge(knowledge), m_score(score), m_judge(judge),
-        m_whereabouts(whereabouts), m_alike(alike), m_halfTurns(halfTurns), m_situation(situation), m_proof(proof),
-        m_twins(twins), m_outcome(outcome)
+      : m_looks(looks), m_cues(cues), m_motion(motion), m_knowledge(knowledge), m_score(score),
+        m_confirmation(cues, knowledge, judge, whereabouts, situation), m_alike(alike), m_halfTurns(halfTurns),
+        m_situation(situation), m_proof(proof), m_twins(twins), m_outcome(outcome)
   {
   }
 
@@ -55,7 +54,6 @@ private:
   void endTracks(const vpHomogeneousMatrix &cMo);
   void confirm(const Found &found);
   void confirmState(const Found &found);
-  bool isConfirmed(const Found &found, double inside) const;
   void believe(const Found &found, bool searches);
   void noteLoss();
   void noteFound(const vpHomogeneousMatrix &cMo);
@@ -69,8 +67,7 @@ private:
   vpObjectMotion &m_motion;
   vpObjectKnowledge &m_knowledge;
   vpImageScore &m_score;
-  const vpPoseJudge &m_judge;
-  const vpWhereabouts &m_whereabouts;
+  const vpConfirmation m_confirmation;
   const vpAlikePoses &m_alike;
   const vpHalfTurns &m_halfTurns;
   vpSituation &m_situation;
