@@ -18,9 +18,9 @@ constexpr double depthTolerance = 0.01;
 // Pixels that one renderer alone may see of an object: those that its outline goes through are not always the same.
 constexpr long fewPixels = 20;
 
-long countSeen(const vpRenderedView &view)
+bool isSeen(float depth)
 {
-  return std::count_if(view.depth.begin(), view.depth.end(), [](float depth) { return depth > 0.F; });
+  return depth > 0.F;
 }
 } // namespace
 
@@ -53,7 +53,9 @@ void vpFallbackRenderer::render(const vpHomogeneousMatrix &cMo, const vpCameraPa
                                 unsigned int imageHeight, const vpRenderOptions &options, vpRenderedView &view)
 {
   const auto renderOnCpu = [&](vpRenderedView &result) {
-    m_cpu = m_cpu ? std::move(m_cpu) : std::make_unique<vpCpuRenderer>(m_model);
+    if (!m_cpu) {
+      m_cpu = std::make_unique<vpCpuRenderer>(m_model);
+    }
     m_cpu->render(cMo, cam, imageWidth, imageHeight, options, result);
   };
   if (!m_renderer) {
@@ -69,9 +71,10 @@ void vpFallbackRenderer::render(const vpHomogeneousMatrix &cMo, const vpCameraPa
     renderOnCpu(view);
     return fail("it drew depths that the object cannot have");
   }
-  if (!view.depth.empty() && countSeen(view) == 0) { // Seldom: the crop is where the object is.
+  // Seldom, since the crop is where the object is; it ends at the first pixel that is seen.
+  if (!view.depth.empty() && std::none_of(view.depth.begin(), view.depth.end(), isSeen)) {
     renderOnCpu(m_compared);
-    if (countSeen(m_compared) > fewPixels) {
+    if (std::count_if(m_compared.depth.begin(), m_compared.depth.end(), isSeen) > fewPixels) {
       std::swap(view, m_compared);
       fail("it drew nothing of the object");
     }
