@@ -6,6 +6,10 @@
 
 #include <string>
 
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
 namespace programs {
 
 //! What the keys of the window change.
