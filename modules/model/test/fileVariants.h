@@ -7,6 +7,8 @@
 
 #include "memoryLimit.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cctype>
 #include <chrono>

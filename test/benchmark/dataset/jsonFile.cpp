@@ -9,6 +9,10 @@
 #include <cmath>
 #include <limits>
 
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
 namespace bench {
 namespace {
 const int deepest = 20; // Values are written into messages by functions that call themselves.

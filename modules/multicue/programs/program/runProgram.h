@@ -6,6 +6,10 @@
 
 #include <iostream>
 
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
 namespace programs {
 
 //! \return The exit status of a program, 1 where it ends with an exception, whose text is printed.
