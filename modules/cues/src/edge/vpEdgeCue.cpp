@@ -161,6 +161,11 @@ vpEdgeCue::Candidate toCandidate(const vpControlPoint &point, const vpEdgeSearch
 
 void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
 {
+  match(frame, view, m_settings);
+}
+
+void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view, const vpEdgeCueSettings &settings)
+{
   m_camera = frame.camera();
   m_matches.clear();
   m_candidates.clear();
@@ -168,7 +173,7 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
   if (m_memory.size() != bins) {
     m_memory.assign(bins, Memory());
   }
-  vpEdgeSearch search(frame.gray(), m_settings);
+  vpEdgeSearch search(frame.gray(), settings);
   const std::vector<vpControlPoint> &points = view.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const vpControlPoint &point = points[i];
@@ -186,9 +191,9 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
     // Remembered along the edge's own direction, searched along the normal.
     const float reference = memory == nullptr ? 0.F : memory->contrast * static_cast<float>(point.side);
     vpEdgeSearch::Extrema extrema = search.along(point.pixel, point.normal);
-    match.light = vpLight::at(extrema.brightest, m_settings.contrast);
+    match.light = vpLight::at(extrema.brightest, settings.contrast);
     dropMasked(frame, point, extrema);
-    match.state = select(extrema, memory == nullptr ? nullptr : &reference, m_settings);
+    match.state = select(extrema, memory == nullptr ? nullptr : &reference, settings);
     match.count = static_cast<int>(extrema.last - extrema.first);
     for (const vpEdgeSearch::Extremum *extremum = extrema.first; extremum != extrema.last; ++extremum) {
       m_candidates.push_back(toCandidate(point, *extremum, m_camera));
@@ -199,11 +204,10 @@ void vpEdgeCue::match(const vpCueFrame &frame, const vpModelView &view)
 
 double vpEdgeCue::adaptToLight(const vpCueFrame &frame, const vpModelView &view)
 {
-  const vpEdgeCueSettings settings = m_settings;
-  m_settings.mu1 = 1.; // Any contrast of the same sign.
-  m_settings.mu2 = HUGE_VAL;
-  match(frame, view);
-  m_settings = settings;
+  vpEdgeCueSettings settings = m_settings;
+  settings.mu1 = 1.; // Any contrast of the same sign.
+  settings.mu2 = HUGE_VAL;
+  match(frame, view, settings);
   std::vector<double> ratios;
   for (const Match &match : m_matches) {
     const Memory *memory = recall(match.point);

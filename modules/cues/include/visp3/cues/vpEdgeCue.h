@@ -172,6 +172,7 @@ private:
     bool known = false;
   };
 
+  void match(const vpCueFrame &frame, const vpModelView &view, const vpEdgeCueSettings &settings);
   void shareCandidates();
   double agreementOf(const Match &match, const vpLineProjector &project, double reach) const;
   void addRow(const Match &match, int choice, const vpLineProjector &project, std::vector<vpResidual> &rows) const;
