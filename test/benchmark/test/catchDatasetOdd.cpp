@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catchMain.h>
+#include <processorTime.h>
 
 #include "datasetFolder.h"
 
@@ -12,8 +13,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <chrono>
 
 // Data sets that are odd, but not broken.
 
@@ -267,9 +266,9 @@ TEST_CASE("The largest distance of 200,000 points of a ball takes seconds", "[fi
       points.push_back(point.normalized());
     }
   }
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processorTime();
   CHECK(programs::largestDistance(points) == Approx(2.).margin(1e-4));
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  CHECK(processorTime() - start < 20.);
   points.resize(300);
   double largest = 0.;
   for (const Eigen::Vector3d &a : points) {
