@@ -106,6 +106,19 @@ TEST_CASE("A pose that is followed keeps the least penalty for where it is", "[t
   CHECK(add(other, 1., 1., 0.1) == Approx(add(other, 2., 1., 0.4) + 0.3)); // Found just now.
 }
 
+TEST_CASE("A better pose that was found after others is not dropped for its age", "[pose-tracks]")
+{
+  vpPoseTracks tracks;
+  for (unsigned int i = 0; i < manyFrames; ++i) {
+    frame(tracks, {{0., 0.85}, {1., 0.84}, {2., 0.83}});
+  }
+  frame(tracks, {{0., 0.85}, {1., 0.84}, {2., 0.83}, {3., 0.9}});
+  CHECK(chosenAt(tracks) == exactly(0.));
+  REQUIRE(tracks.tracks().size() == 3);
+  CHECK(tracks.tracks()[1].cMo[0][3] == exactly(3.));
+  CHECK(tracks.tracks()[2].cMo[0][3] == exactly(1.));
+}
+
 TEST_CASE("One better image does not move a pose that was followed, some on end do", "[pose-tracks]")
 {
   vpPoseTracks tracks = followedFor(6);
@@ -244,10 +257,10 @@ TEST_CASE("Others have to be looked for while enough is seen, and to have some f
     }
     CHECK(tracks.isCompared());
     for (unsigned int i = 0; i < 3; ++i) {
-      frame(tracks, {{0., 0.7}, {1., 0.65}});
+      frame(tracks, {{0., 0.7}, {1., 0.68}});
       CHECK_FALSE(tracks.isCompared());
     }
-    frame(tracks, {{0., 0.7}, {1., 0.65}});
+    frame(tracks, {{0., 0.7}, {1., 0.68}});
     CHECK(tracks.isCompared());
   }
   SECTION("one that explains less is none")

@@ -19,6 +19,7 @@ struct vpAgreement
   double surface = 0.;
   double surfaceKnown = 0.;  //!< Share of it that is remembered.
   double surfaceWeight = 0.; //!< Share of it that is remembered and tells poses apart.
+  double surfaceOdds = 0.;   //!< What it adds to those of all cues together, as a logarithm.
   //! After a loss: the surface looks so different that the pose can hardly be right.
   bool isRefuted = false;
 };

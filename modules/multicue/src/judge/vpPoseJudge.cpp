@@ -123,9 +123,11 @@ void vpPoseJudge::addSurface(const vpHomogeneousMatrix &cMo, vpVerdict &verdict)
   if (!(usual > 0.)) {
     return;
   }
-  agreement.isRefuted =
-      m_situation.mustConfirm &&
-      m_knowledge.isRefutedBy(seen, m_knowledge.surfaceVariance(m_knowledge.turnSince(cMo, m_motion)));
+  if (m_situation.mustConfirm) {
+    const double variance = m_knowledge.surfaceVariance(m_knowledge.turnSince(cMo, m_motion));
+    agreement.surfaceOdds = m_knowledge.surfaceOdds(seen, variance);
+    agreement.isRefuted = m_knowledge.isRefutedBy(seen, variance);
+  }
   add(vpObjectKnowledge::countedShare(std::max(seen.correlation, 0.), usual),
       agreement.surfaceWeight * weightBesideEdges(m_knowledge.unsteadiness.surface), verdict.share);
 }

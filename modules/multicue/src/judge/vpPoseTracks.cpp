@@ -15,8 +15,7 @@ const double rightAtFirst = 0.3; // Of a pose that a search found.
 const double contestedMargin = 0.4; // Of 0.05 in shares, where both explain all.
 const double leastValue = -5.;      // Below it a track ends.
 const double leastLead = 2.;
-const unsigned int framesToCompare = 4; // A track of fewer may be better than it seems, by as much:
-const double youngMargin = 2.;
+const unsigned int framesToCompare = 4; // A track of fewer may be better than it seems.
 const double leastOdds = -4.; // Of one that is ahead.
 
 // By a search.
@@ -26,6 +25,14 @@ vpPoseTracks::Track found(const vpHomogeneousMatrix &cMo)
   track.cMo = track.before = cMo;
   track.belief.start(rightAtFirst);
   return track;
+}
+
+// What its odds come to where the frames to come say of it what this one does: that a pose was found later than others
+// is no reason to drop it, nor that its first frames were worse, before it settled.
+double promiseOf(const vpPoseTracks::Track &track)
+{
+  const double later = track.value > 0. ? track.value / (1. - keptOdds) : track.value;
+  return std::max(track.odds, later) - track.change;
 }
 
 // With what one more frame says.
@@ -103,7 +110,7 @@ void vpPoseTracks::endFrame()
     track.isSeen = false;
   }
   std::stable_sort(m_tracks.begin(), m_tracks.end(),
-                   [](const Track &a, const Track &b) { return a.standing() > b.standing(); });
+                   [](const Track &a, const Track &b) { return promiseOf(a) > promiseOf(b); });
 }
 
 void vpPoseTracks::dropDoubles(const Same &isSame)
@@ -161,7 +168,7 @@ bool vpPoseTracks::isCompared() const
     return false;
   }
   return std::none_of(m_tracks.begin() + 1, m_tracks.end(), [this](const Track &other) {
-    return other.frames < framesToCompare && other.standing() > m_tracks.front().standing() - youngMargin;
+    return other.frames < framesToCompare && promiseOf(other) > m_tracks.front().standing() - contestedMargin;
   });
 }
 
@@ -170,9 +177,7 @@ bool vpPoseTracks::isContested() const
   if (m_tracks.size() < 2 || m_tracks[1].frames < 2) {
     return false;
   }
-  const Track &other = m_tracks[1]; // Its first frames may have been worse, before it settled.
-  return std::max(other.odds, other.value / (1. - keptOdds)) - other.change >
-         m_tracks.front().standing() - contestedMargin;
+  return promiseOf(m_tracks[1]) > m_tracks.front().standing() - contestedMargin;
 }
 
 END_VISP_NAMESPACE

@@ -55,6 +55,8 @@ public:
   double shareOfEvidence(double evidence) const;
   //! Of the surface's agreement with what was learnt before a turn by so many radians, as a share of the usual one.
   double surfaceVariance(double turn) const { return unsteadiness.surface + m_turnEffect.variance(turn); }
+  //! What the surface adds to the logarithm of the odds of a pose, beyond what all cues explain together.
+  double surfaceOdds(const vpSurfaceMemory::Agreement &seen, double variance) const;
   //! True where the surface differs so much from what is known of it that the pose can hardly be right.
   bool isRefutedBy(const vpSurfaceMemory::Agreement &seen, double variance) const;
   //! True where no surface whose agreement has this variance could contradict a pose.

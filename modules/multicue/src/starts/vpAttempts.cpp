@@ -10,10 +10,9 @@ namespace {
 const double wellExplained = 0.8;     // Of what the trusted frames before had: from there on a pose is taken.
 const double unknownAfterLoss = 0.25; // Weight of a surface that was never seen.
 // Logarithms of odds:
-const double changePenalty = 1.1;        // Of half a turn, or two diameters.
-const double depthPenalty = 3.3;         // Of a distance that is e times what it was.
-const double contradictionPenalty = 2.2; // Of a pose whose surface cannot be what was seen before.
-const std::size_t mostAttempts = 4;      // From one search.
+const double changePenalty = 1.1;   // Of half a turn, or two diameters.
+const double depthPenalty = 3.3;    // Of a distance that is e times what it was.
+const std::size_t mostAttempts = 4; // From one search.
 // Poses that look alike and are nearer than this to one another are the same one, diameters.
 const double sameAlike = 0.05;
 } // namespace
@@ -99,9 +98,9 @@ double vpAttempts::valueAfterLoss(const vpEstimate &estimate, double share)
   const double unknown =
       unknownAfterLoss * vpSurfaceTrust(m_knowledge.surface.texture()) * (1. - agreement.surfaceKnown);
   const double change = changePenalty * m_whereabouts.changeSince(cMo);
-  const double value = vpJudgedPose::oddsOf((2. * share + unknown * vpUnknownCorrelation) / (2. + unknown)) -
-                       m_judge.fewEdgesPenalty(agreement) - depthPenalty * m_whereabouts.depthChange(cMo) -
-                       (agreement.isRefuted ? contradictionPenalty : 0.);
+  const double value = vpJudgedPose::oddsOf((2. * share + unknown * vpUnknownCorrelation) / (2. + unknown)) +
+                       agreement.surfaceOdds - m_judge.fewEdgesPenalty(agreement) -
+                       depthPenalty * m_whereabouts.depthChange(cMo);
   if (!estimate.isFound) {
     return value - change;
   }
