@@ -16,7 +16,7 @@ const double contestedMargin = 0.4; // Of 0.05 in shares, where both explain all
 const double leastValue = -5.;      // Below it a track ends.
 const double leastLead = 2.;
 const unsigned int framesToCompare = 4; // A track of fewer may be better than it seems.
-const double leastOdds = -4.; // Of one that is ahead.
+const double leastOdds = -4.;           // Of one that is ahead.
 
 // By a search.
 vpPoseTracks::Track found(const vpHomogeneousMatrix &cMo)
