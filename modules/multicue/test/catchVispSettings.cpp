@@ -204,6 +204,13 @@ TEST_CASE("The JSON of vpRBTracker is read as far as it has the same settings", 
   CHECK(namesOf(report.left) == Names{"camera.height", "camera.width", "features[0].weight", "features[2].type"});
 }
 
+TEST_CASE("A model of vpRBTracker that only its renderer reads is left", "[files]")
+{
+  const std::string content = R"({"camera": {"intrinsics": )" + jsonCamera + R"(}, "model": "data/dragon/dragon.bam"})";
+  CHECK(read("rbt.json", content).modelFile.empty());
+  CHECK(namesOf(reportOf("rbt.json", content).left) == Names{"model"});
+}
+
 TEST_CASE("vpRBTracker's points, colours, steps and model are taken", "[files]")
 {
   const std::string content =

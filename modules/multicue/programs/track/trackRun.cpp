@@ -52,39 +52,37 @@ TrackRun::TrackRun(const TrackOptions &options)
   openOutputs();
 }
 
-void TrackRun::loadModel()
+// The model of the command line first: that of the configuration is left out where there is one. What is typed counts
+// more than what was written.
+void TrackRun::loadModelAndConfig()
 {
-  const bool isConfigured = static_cast<bool>(m_tracker.getModel());
-  if (m_options.model.empty() && !isConfigured) {
+  if (!m_options.model.empty()) {
+    const vpMultiCueSettings settings = vpMultiCueSettingsReader::read(m_options.config, vpMultiCueSettings());
+    if (settings.modelFile.empty()) { // Else its unit is that of the other model.
+      m_tracker.setModelOptions(settings.model);
+    }
+  }
+  if (m_options.metresPerUnit > 0.) {
+    m_tracker.setModelUnit(m_options.metresPerUnit);
+  }
+  if (!m_options.model.empty()) {
+    m_tracker.loadModel(m_options.model);
+  }
+  m_tracker.loadConfigFile(m_options.config, false);
+  if (!m_tracker.getModel()) {
     throw vpException(vpException::badValue, "--model is missing, and %s says no model", m_options.config.c_str());
   }
-  if (m_options.model.empty()) {
-    return;
-  }
-  if (isConfigured) { // A second model would become a part of the first.
-    throw vpException(vpException::badValue, "--model %s: %s says a model, too; leave one of them out",
-                      m_options.model.c_str(), m_options.config.c_str());
-  }
-  m_tracker.loadModel(m_options.model);
 }
 
 void TrackRun::setUpTracker()
 {
-  const bool saysUnit = m_options.metresPerUnit > 0.;
-  if (saysUnit) { // For the model of the configuration.
-    m_tracker.setModelUnit(m_options.metresPerUnit);
-  }
-  m_tracker.loadConfigFile(m_options.config, false);
+  loadModelAndConfig();
   if (!m_options.preset.empty()) { // After the file: what is typed counts more than what was written.
     m_tracker.setPreset(vpMultiCuePresetFromString(m_options.preset));
   }
   if (!m_options.cues.empty()) {
     m_tracker.setTrackerType(cueTypes(m_options.cues));
   }
-  if (saysUnit) {
-    m_tracker.setModelUnit(m_options.metresPerUnit);
-  }
-  loadModel();
   m_starter = std::make_unique<Starter>(m_options, m_tracker);
   m_state.hypotheses = m_tracker.getPoseHypothesisSettings().enabled;
   m_state.particles = m_tracker.getParticleSettings().enabled;

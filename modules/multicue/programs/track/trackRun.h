@@ -24,7 +24,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void loadModel();
+  void loadModelAndConfig();
   void setUpTracker();
   void openOutputs();
   //! Shows images until one tells where the object is. \return False at the end of the images.

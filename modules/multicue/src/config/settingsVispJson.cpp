@@ -166,13 +166,25 @@ void takeFeature(const std::string &place, Cues &cues, VispJsonCarrier &carrier)
   }
 }
 
+void takeRenderedModel(VispJsonCarrier &carrier)
+{
+  const Json &model = carrier.at("/model");
+  const std::string file = model.is_string() ? model.get<std::string>() : "";
+  const std::string end = file.substr(std::min(file.rfind('.'), file.size()));
+  if (end == ".bam" || end == ".egg") {
+    carrier.leave("/model", "Panda3D alone reads this format: give loadModel() the mesh that it was made of");
+    return;
+  }
+  carrier.take("/model", "model.file",
+               "ViSP's renderer turns .obj files by a quarter about x, so that their poses differ by that turn");
+}
+
 VispJson readRenderBased(const Json &json)
 {
   VispJsonCarrier carrier(json);
   carrier.objectAt("/camera");
   takeCamera("/camera/intrinsics", carrier);
-  carrier.take("/model", "model.file",
-               "ViSP's renderer turns .obj files by a quarter about x, so that their poses differ by that turn");
+  takeRenderedModel(carrier);
   carrier.take("/vvs/gain", "estimation.gain");
   carrier.take("/vvs/maxIterations", "estimation.maxIterations");
   Cues cues;
