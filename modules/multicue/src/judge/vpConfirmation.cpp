@@ -5,8 +5,7 @@ BEGIN_VISP_NAMESPACE
 
 namespace {
 // Frames on end that have to explain a pose after a loss.
-const unsigned int neededConfirmations = 3;
-const unsigned int usualConfirmations = 6;
+const unsigned int neededConfirmations = 6;
 const unsigned int disownedConfirmations = 60; // Where edges alone speak for a pose.
 const unsigned int doubtfulConfirmations = 15; // Where the surface looks like that of another pose.
 // Frames on end in which no other pose came near, whatever is explained.
@@ -34,8 +33,7 @@ bool vpConfirmation::isDue(const vpHomogeneousMatrix &cMo, const vpAgreement &ag
     return true;
   }
   const bool isDoubtful = tracks.isContested() || m_judge.isContradicted(agreement);
-  return m_situation.confirmations >=
-         (isDoubtful ? doubtfulConfirmations : (isDecisive ? neededConfirmations : usualConfirmations));
+  return m_situation.confirmations >= (isDoubtful ? doubtfulConfirmations : neededConfirmations);
 }
 
 END_VISP_NAMESPACE

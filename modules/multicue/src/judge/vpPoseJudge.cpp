@@ -32,7 +32,7 @@ const double mostFewPenalty = 4.4;
 // Penalty of a pose with so few edges that others are looked for.
 const double fewEdges = 2.2;
 // Of the usual surface: from there on no other pose looks like it, and below that it shows something else.
-const double decisiveSurface = 0.7;
+const double decisiveSurface = 0.8;
 const double contradictingSurface = 0.35;
 // Of colours and surface together, how far they were steady, and what they have of the usual.
 const double leastSteadiness = 0.6;
