@@ -244,6 +244,10 @@ TEST_CASE("Without a pose the overlay is the image, to read places of points fro
   CHECK(checkSetup(files.setup).faults.empty());
   const cv::Mat image = programs::readColorImage(files.setup.image);
   CHECK(cv::norm(programs::readColorImage(files.setup.overlay), image, cv::NORM_INF) < 0.5);
+  files.setup.pose = files.folder.path("none.pos");
+  files.setup.overlay = files.folder.path("again.png");
+  CHECK(checkSetup(files.setup).faults.size() == 1);
+  CHECK(cv::norm(programs::readColorImage(files.setup.overlay), image, cv::NORM_INF) < 0.5);
 }
 
 TEST_CASE("Starts that are broken are named", "[check]")

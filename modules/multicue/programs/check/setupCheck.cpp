@@ -75,8 +75,8 @@ cv::Mat toPicture(const vpImage<vpRGBa> &I)
 }
 
 // The model over the image where it starts, with what is wrong.
-void writeOverlay(const std::string &file, vpMbMultiCueTracker &tracker, const vpImage<vpRGBa> &I,
-                  const vpHomogeneousMatrix &cMo, const CheckReport &report)
+cv::Mat overlay(vpMbMultiCueTracker &tracker, const vpImage<vpRGBa> &I, const vpHomogeneousMatrix &cMo,
+                const CheckReport &report)
 {
   cv::Mat picture = toPicture(I);
   vpCameraParameters cam;
@@ -85,7 +85,24 @@ void writeOverlay(const std::string &file, vpMbMultiCueTracker &tracker, const v
   drawModel(picture, tracker, cMo, cam, state, 2);
   const cv::Point corner(10, 22);
   drawText(picture, report.faults.empty() ? std::vector<std::string>{"no fault"} : report.faults, corner, state);
-  writePicture(file, picture);
+  return picture;
+}
+
+// \return The pose that is checked; none where there is none, or nothing to check it by.
+std::optional<vpHomogeneousMatrix> checkPose(const Setup &setup, vpMbMultiCueTracker &tracker, const vpImage<vpRGBa> &I,
+                                             bool hasCamera, CheckReport &report)
+{
+  const std::optional<vpHomogeneousMatrix> cMo =
+      setup.pose.empty() ? std::optional<vpHomogeneousMatrix>() : readStart(setup.pose, report);
+  if (!cMo || !hasCamera || I.getSize() == 0) {
+    return std::nullopt;
+  }
+  tryStep("start", report, [&] {
+    if (report.faults.empty() && checkStart(tracker, I, *cMo, report)) {
+      checkCues(tracker, I, *cMo, report);
+    }
+  });
+  return cMo;
 }
 } // namespace
 
@@ -105,28 +122,11 @@ CheckReport checkSetup(const Setup &setup)
   vpCameraParameters cam;
   tracker.getCameraParameters(cam);
   const bool hasCamera = isLoaded && checkCamera(cam, tracker.getConfigReport(), I, report);
-  if (setup.pose.empty()) {
-    if (!setup.overlay.empty() && I.getSize() > 0) {
-      tryStep("overlay", report, [&] {
-        writePicture(setup.overlay, toPicture(I));
-        report.say("overlay", setup.overlay + ", the image alone: there is no --pose");
-      });
-    }
-    return report;
-  }
-  const std::optional<vpHomogeneousMatrix> cMo = readStart(setup.pose, report);
-  if (!cMo || !hasCamera || I.getSize() == 0) {
-    return report;
-  }
-  tryStep("start", report, [&] {
-    if (report.faults.empty() && checkStart(tracker, I, *cMo, report)) {
-      checkCues(tracker, I, *cMo, report);
-    }
-  });
-  if (!setup.overlay.empty()) {
+  const std::optional<vpHomogeneousMatrix> cMo = checkPose(setup, tracker, I, hasCamera, report);
+  if (!setup.overlay.empty() && I.getSize() > 0) {
     tryStep("overlay", report, [&] {
-      writeOverlay(setup.overlay, tracker, I, *cMo, report);
-      report.say("overlay", setup.overlay);
+      writePicture(setup.overlay, cMo ? overlay(tracker, I, *cMo, report) : toPicture(I));
+      report.say("overlay", setup.overlay + (cMo ? "" : ", the image alone: there is no pose to draw the model at"));
     });
   }
   return report;
