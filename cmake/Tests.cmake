@@ -23,5 +23,5 @@ function(multicue_add_test source)
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE ${ARGN} ${CATCH2_LIBRARIES} multicue_warnings)
   add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600) # seconds; with sanitizers, the longest take half of it
 endfunction()

@@ -56,7 +56,7 @@ std::vector<Outcome> outcomesIn(std::size_t frame)
   std::vector<Outcome> made;
   for (const Kind &kind : kinds) {
     bool isEnough = false;
-    for (long allocations = 0; !isEnough; allocations += 1 + allocations / 12) {
+    for (long allocations = 0; !isEnough; allocations += 1 + allocations / 6) {
       Followed followed(kind);
       const Before before(followed.tracker);
       if (throwsWithoutMemory(followed, imageOf(kind, frame), allocations, isEnough)) { // Some lacks are made up for.
