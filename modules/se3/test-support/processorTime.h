@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-//! Seconds of processor that this program had so far: what else the machine does is no fault of what is tested.
+//! Seconds of processor that this program had so far, in all its threads: what else the machine does does not count.
 inline double processorTime()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

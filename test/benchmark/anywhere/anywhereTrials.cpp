@@ -8,6 +8,8 @@
 #include "frames/pictureFile.h"
 #include "starts/startPlan.h"
 
+#include <processorTime.h>
+
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpImageConvert.h>
 #include <visp3/core/vpIoTools.h>
@@ -16,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <numeric>
 #include <ostream>
@@ -35,12 +36,6 @@ struct Place
   std::size_t scene = 0;
   std::size_t frame = 0;
 };
-
-// Of the process: other programs on the machine do not count.
-double processSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 // All trials of one object, whose tracker is made once.
 class ObjectTrials
@@ -79,9 +74,9 @@ private:
     images.get(place.frame, I);
     I.isGray = m_options.gray;
     const double begin = vpTime::measureTimeSecond();
-    const double cpuBegin = processSeconds();
+    const double cpuBegin = processorTime();
     const bool isAccepted = m_tracker->startAnywhere(I, m_options.nearest, m_options.farthest);
-    const double cpu = processSeconds() - cpuBegin;
+    const double cpu = processorTime() - cpuBegin;
     if (m_count.images == 0) {
       m_count.first = cpu;
     } else {

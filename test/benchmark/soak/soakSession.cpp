@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "soak/soakSession.h"
 
+#include <processorTime.h>
+
 #include <visp3/core/vpException.h>
 
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -206,9 +207,9 @@ void SoakSession::step()
   moveObject();
   const vpImage<vpRGBa> I = draw();
   m_hidden -= m_hidden > 0 ? 1 : 0;
-  const std::clock_t start = std::clock();
+  const double start = processorTime();
   attempt([&] { m_tracker->track(I); });
-  m_counts.seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  m_counts.seconds += processorTime() - start;
   ++m_counts.frames;
   m_counts.tracking += m_tracker->getTrackingResult().state == vpTrackingState::TRACKING ? 1 : 0;
 }
