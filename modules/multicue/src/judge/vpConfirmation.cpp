@@ -20,8 +20,7 @@ bool vpConfirmation::isDue(const vpHomogeneousMatrix &cMo, const vpAgreement &ag
   // A small pose far away fits into many a part of what the image shows.
   const bool isElsewhere = m_whereabouts.depthChange(cMo) > mostDepthChange;
   const bool hasTexture = !m_cues.isEdgesAlone() && m_knowledge.hasTexture();
-  const bool isDecisive = m_judge.isDecisive(agreement);
-  if (!tracks.isCompared() || (isElsewhere && !(hasTexture && isDecisive))) {
+  if (!tracks.isCompared() || (isElsewhere && !(hasTexture && m_judge.isDecisive(agreement)))) {
     return false;
   }
   // Of two poses that only show sides which were never seen, nothing tells the right one until another side is seen.
