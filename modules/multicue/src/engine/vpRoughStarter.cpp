@@ -97,6 +97,7 @@ std::vector<vpPoseCandidate> vpRoughStarter::candidates(const vpFrameContext &fr
   std::vector<vpPoseCandidate> found;
   if (m_rough.anywhere) {
     m_rough.imageSearch.setFrame(frame.image, m_score.sphere(), m_looks.preference(), search);
+    m_rough.imageSearch.setSymmetries(m_alike.symmetries());
     found = m_rough.imageSearch.find(*m_rough.anywhere, m_rough.tries);
   }
   if (!starts.empty()) {

@@ -18,12 +18,13 @@ BEGIN_VISP_NAMESPACE
   in the image by all angles, and at all distances of a range.
 
   What its contours look like from one side is added up at all places at once (vpContourScan), for sides 17 degrees
-  apart, turns of 15 degrees and sizes that grow by a quarter. The best places of each size are aligned with the image's
-  edges and compared by edges and the model's colours, and poses are drawn about the best of these in layers of less and
-  less noise. Corners of a model that has a texture propose poses as well (vpModelKeyframes).
+  apart, turns of 15 degrees and sizes that grow by a quarter. The best places of one size are aligned with the image's
+  edges, and poses are drawn about the best of these in layers of less and less noise. So each size has its own best
+  poses, which then compete with those of all others. Corners of a model that has a texture propose poses as well
+  (vpModelKeyframes).
 
-  Poses are compared by their standing: how much better the image agrees with them than with what was found of their
-  size anywhere in it, in the mean (vpImageStanding), and by the corners that agree.
+  Poses are compared by their standing: how much likelier the image is with the object there (vpImageStanding), and the
+  corners that agree.
 */
 class vpImageSearch
 {
@@ -45,9 +46,11 @@ public:
   // about.
   void setFrame(const vpCueFrame &frame, vpViewSphere &sphere, vpModelRenderer::Preference preference,
                 const vpStartSearch &look);
+  // Poses that look alike count as the same; null: none do. To live as long as the frame is asked about.
+  void setSymmetries(const vpModelSymmetries *symmetries) { m_symmetries = symmetries; }
   // The best poses that are apart, best first.
   std::vector<vpPoseCandidate> find(const Sizes &sizes, std::uint64_t seed);
-  // Of a pose in the frame in which was searched, in usual deviations.
+  // Of a pose in the frame in which was searched, a logarithm of odds.
   double standing(const vpHomogeneousMatrix &cMo) const { return standing(cMo, 1); }
   // What a pose lacks to be accepted, as a sentence; empty for nothing.
   std::string missing(const vpHomogeneousMatrix &cMo) const;
@@ -59,13 +62,21 @@ private:
     double score = 0.;
   };
 
+  // Poses that are kept from the layer before, and those that are drawn about them.
+  struct Layer
+  {
+    std::size_t parents;
+    std::size_t children;
+  };
+
   std::vector<Place> scan(double size);
   void addPlaces(const Eigen::Isometry3d &cMo, std::vector<Place> &places);
-  vpPoseCandidate aligned(const Place &place);
-  std::vector<vpPoseCandidate> scanAll(const Sizes &sizes);
-  std::vector<vpPoseCandidate> anneal(const std::vector<vpPoseCandidate> &starts, std::uint64_t seed);
-  void breed(vpPoseSearch &search, const vpPoseSearch::Spread &spread, std::size_t keep, std::size_t number,
-             bool isCoarse);
+  vpPoseCandidate aligned(const Place &place) const;
+  std::vector<vpPoseCandidate> bestOfSize(double size, std::uint64_t seed);
+  std::vector<vpPoseCandidate> bestOfAll(const Sizes &sizes, std::uint64_t seed);
+  vpPoseSearch searchFrom(const std::vector<vpPoseCandidate> &starts, std::uint64_t seed, std::size_t every) const;
+  double rivalOf(const vpHomogeneousMatrix &cMo) const;
+  void draw(vpPoseSearch &search, const vpPoseSearch::Spread &spread, const Layer &layer, bool isCoarse) const;
   double standing(const vpHomogeneousMatrix &cMo, std::size_t every) const;
 
   const vpCueFrame *m_frame = nullptr;
@@ -79,7 +90,8 @@ private:
   vpContourAligner m_coarseAligner;
   vpModelKeyframes m_keyframes;
   vpImageStanding m_standing;
-  std::size_t m_every = 1; // Of the places whose colours are looked at, while poses are drawn.
+  const vpModelSymmetries *m_symmetries = nullptr;
+  std::vector<vpPoseCandidate> m_rivals; // The best ones in the frame, of each size and of all.
 };
 
 END_VISP_NAMESPACE

@@ -7,44 +7,44 @@
 
 #include <visp3/cues/vpOrientedDistanceMap.h>
 
+#include <array>
+
 BEGIN_VISP_NAMESPACE
 
 /*
-  How well an image agrees with a pose, by edges and the model's colours, beside what it agrees with at poses of the
-  same size: small poses agree better with anything than large ones do.
+  How much likelier an image is with the object at a pose than without it, as a logarithm of odds: by how near the
+  image's edges are to the contours, and by the model's colours.
+
+  A contour point whose nearest edge is d pixels away counts log(p(d) / q(d)): p is how often right poses have such a
+  distance, q how often this image has it anywhere. So an edge says little where all is full of edges, and a contour
+  without one speaks against the pose. The sum over the contours, rather than their mean, is compared: a pose that
+  explains many edges is likelier than one that shows few of them, such as the object's back.
 */
 class vpImageStanding
 {
 public:
   // All have to live as long as poses are asked about. edges: of all of the frame. look: has the frame, and the model's
-  // colours where these are used. What was usual is forgotten.
+  // colours where these are used.
   void setFrame(const vpCueFrame &frame, vpViewSphere &sphere, const vpOrientedDistanceMap &edges,
                 const vpStartSearch &look);
   // The object's diameter in the image at a pose, pixels; 0 behind the camera.
   double sizeOf(const Eigen::Isometry3d &cMo) const;
-  // About 1 where the pose is right; without regard to its size. every: colours are looked at by one place in so many.
-  double value(const Eigen::Isometry3d &cMo, std::size_t every) const;
-  // What values poses of a size have in the mean; from the smallest size to the largest.
-  void addUsual(double size, double mean) { m_usual.push_back({size, mean}); }
-  // Between the sizes that were added.
-  double usualOf(double size) const;
-  // By how many deviations the value is better than what is usual.
-  double operator()(const vpHomogeneousMatrix &cMo, std::size_t every) const;
-  static constexpr double deviation = 0.08;
+  // every: colours are looked at by one place in so many. unseen where the object is hardly in the image.
+  double operator()(const Eigen::Isometry3d &cMo, std::size_t every) const;
+  static constexpr double unseen = -100.;
 
 private:
-  struct Usual
-  {
-    double size = 0.; // Pixels.
-    double mean = 0.;
-  };
-  double edgesAt(const Eigen::Isometry3d &cMo, double size, double &inside) const;
+  // What contours and edges that are so far apart, whole pixels, say.
+  static constexpr std::size_t distances = 17;
+  using Ratios = std::array<double, distances>;
+  static Ratios ratios(const vpOrientedDistanceMap &edges, unsigned int width, unsigned int height);
+  double edgesAt(const Eigen::Isometry3d &cMo, double &inside) const;
 
   const vpStartSearch *m_look = nullptr;
   const vpOrientedDistanceMap *m_edges = nullptr;
   vpViewSphere *m_sphere = nullptr;
   vpPointCamera m_camera;
-  std::vector<Usual> m_usual;
+  Ratios m_ratios = {};
 };
 
 END_VISP_NAMESPACE

@@ -98,13 +98,14 @@ public:
   // Those that are less than one spread from a better one are left out, a shift along the line of sight counted by the
   // depth's; at most keep are left.
   void keepBest(std::size_t keep, const Spread &apart);
+  // Of two poses, in spreads.
+  double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
 
 private:
   template <typename Step> void align(unsigned int steps, Step &&step);
   double scoreOf(const vpHomogeneousMatrix &cMo);
   bool isOver();
   vpHomogeneousMatrix draw(const vpHomogeneousMatrix &cMo, const Spread &spread);
-  double distance(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b, const Spread &unit) const;
 
   Score m_score;
   const vpModelSymmetries *m_symmetries = nullptr;

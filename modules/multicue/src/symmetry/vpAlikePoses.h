@@ -20,6 +20,8 @@ public:
   {
   }
 
+  //! Null where all poses look different.
+  const vpModelSymmetries *symmetries() const { return m_symmetries.get(); }
   //! Of the poses that look like one, the nearest to where the object is believed to be.
   vpHomogeneousMatrix nearest(const vpHomogeneousMatrix &cMo) const
   {
