@@ -41,8 +41,7 @@ const std::size_t parentsOfSize[layersOfSize] = {40, 20, 10};
 const std::size_t childrenOfSize[layersOfSize] = {600, 400, 200};
 const std::size_t bestOfEachSize = 6;
 // About those of all sizes.
-const std::size_t layersOfAll = 3;
-const std::size_t parentsOfAll[layersOfAll] = {100, 50, 25};
+const std::size_t parentsOfAll[] = {100, 50, 25};
 const std::size_t childrenOfAll = 1000;
 const std::size_t mostFound = 10;
 const vpPoseSearch::Spread apart = {0.25, 0.4, 0.6};

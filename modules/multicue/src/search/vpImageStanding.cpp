@@ -16,9 +16,9 @@ const int everyUsual = 5;       // Pixels, in both directions, at which the imag
 const double leastShare = 0.001;
 /*
   How much the cues say, from a conditional logistic regression on the poses that searches of 120 images of five objects
-  ended with: with one object left out each time, the right pose came first
-  in 102 of the 120; with the mean over the contours in place of their sum, in 82. A pose twice as large has twice as
-  many pixels of contour, but these err together: the root of the size is as good as the size.
+  ended with. With one object left out each time, the right pose came first in 102 of the 120; with the mean over the
+  contours in place of their sum, in 82. A pose twice as large has twice as many pixels of contour, but these err
+  together: the root of the size is as good as the size.
 */
 const double usualSize = 150.; // Pixels.
 const double edgesWeight = 3.1;

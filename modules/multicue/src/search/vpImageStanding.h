@@ -34,7 +34,8 @@ public:
   static constexpr double unseen = -100.;
 
 private:
-  // What contours and edges that are so far apart, whole pixels, say.
+  // What a contour says whose edge is so many whole pixels away, or in the last place as far as a map of
+  // vpImageSearch reaches, which is 16 pixels, or farther.
   static constexpr std::size_t distances = 17;
   using Ratios = std::array<double, distances>;
   static Ratios ratios(const vpOrientedDistanceMap &edges, unsigned int width, unsigned int height);
